@@ -1,0 +1,66 @@
+#include <array>
+#include <cstring>
+
+#include "vulkan_context.hpp"
+
+namespace lvsm::support {
+namespace {
+
+constexpr std::uint32_t kBufferCount = 2;
+
+vk::raii::DescriptorSetLayout makeSetLayout(const VulkanContext& context) {
+  std::array<vk::DescriptorSetLayoutBinding, kBufferCount> bindings;
+  for (std::uint32_t i = 0; i < kBufferCount; ++i) {
+    bindings[i] = {i, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute};
+  }
+  return {context.device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
+}
+
+vk::raii::DescriptorPool makePool(const VulkanContext& context) {
+  const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, kBufferCount);
+  return {context.device,
+          vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
+}
+
+void bindBuffers(const VulkanContext& context, const vk::raii::DescriptorSet& set,
+                 const std::array<const Buffer*, kBufferCount>& buffers) {
+  for (std::uint32_t i = 0; i < kBufferCount; ++i) {
+    const vk::DescriptorBufferInfo buffer(*buffers[i]->buffer, 0, VK_WHOLE_SIZE);
+    context.device.updateDescriptorSets(
+        vk::WriteDescriptorSet(*set, i, 0, vk::DescriptorType::eStorageBuffer, {}, buffer), {});
+  }
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> VulkanDevice::run(const ComputeJob& job) try {
+  const Buffer input = makeBuffer(*context_, job.inputBytes, vk::BufferUsageFlagBits::eStorageBuffer);
+  const Buffer output = makeBuffer(*context_, job.outputBytes, vk::BufferUsageFlagBits::eStorageBuffer);
+  std::memcpy(input.data, job.input, job.inputBytes);
+  std::memset(output.data, 0, job.outputBytes);
+
+  const auto setLayout = makeSetLayout(*context_);
+  const auto pool = makePool(*context_);
+  const vk::raii::DescriptorSets sets(context_->device, vk::DescriptorSetAllocateInfo(*pool, *setLayout));
+  bindBuffers(*context_, sets[0], {&input, &output});
+
+  const vk::raii::PipelineLayout layout(context_->device, vk::PipelineLayoutCreateInfo({}, *setLayout));
+  const auto shader = makeShader(*context_, *job.spirv);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader,
+                                                job.entryPoint.c_str());
+  const vk::raii::Pipeline pipeline(context_->device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));
+
+  submit(*context_, [&](vk::raii::CommandBuffer& commands) {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *sets[0], {});
+    commands.dispatch(job.groupCount, 1, 1);
+    const vk::MemoryBarrier toHost(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eHost, {}, toHost,
+                             {}, {});
+  });
+  return std::vector<std::byte>(output.data, output.data + job.outputBytes);
+} catch (const std::exception& error) {
+  return Failure{std::string("Vulkan: ") + error.what()};
+}
+
+}  // namespace lvsm::support
