@@ -1,0 +1,44 @@
+# Joins SOURCE and all that it includes into one file, OUTPUT, for pipelines that have no #include:
+#   cmake -D SOURCE=glsl/lvsm/lvsm.glsl -D OUTPUT=lvsm.glsl -D VERSION=0.1.0 -P cmake/single_file.cmake
+# An include is looked up as a compiler does it: beside the including file, then in the folder that holds lvsm/.
+# A file is put in once, where it is first included; its guard stays, so a client may still mix both forms.
+cmake_minimum_required(VERSION 3.22)
+
+get_filename_component(name ${OUTPUT} NAME)
+get_filename_component(folder ${SOURCE} DIRECTORY)
+get_filename_component(root ${folder} DIRECTORY)
+
+# Appends to `joined` (of the caller's scope) the text of `file` with its includes resolved.
+function(join file)
+  cmake_path(ABSOLUTE_PATH file NORMALIZE)
+  if(file IN_LIST seen)
+    return()
+  endif()
+  list(APPEND seen ${file})
+  file(READ ${file} rest)
+  get_filename_component(beside ${file} DIRECTORY)
+  while(rest MATCHES "\n[ \t]*#[ \t]*include[ \t]+[\"<]([^\">]+)[\">][^\n]*")
+    set(line "${CMAKE_MATCH_0}")
+    set(included "${CMAKE_MATCH_1}")
+    string(FIND "${rest}" "${line}" position)
+    string(SUBSTRING "${rest}" 0 ${position} before)
+    string(LENGTH "${line}" length)
+    math(EXPR position "${position} + ${length}")
+    string(SUBSTRING "${rest}" ${position} -1 rest)
+    string(APPEND joined "${before}\n")
+    if(EXISTS ${beside}/${included})
+      join(${beside}/${included})
+    elseif(EXISTS ${root}/${included})
+      join(${root}/${included})
+    else()
+      message(FATAL_ERROR "${file} includes ${included}, which is neither beside it nor in ${root}")
+    endif()
+  endwhile()
+  set(joined "${joined}${rest}" PARENT_SCOPE)
+  set(seen ${seen} PARENT_SCOPE)
+endfunction()
+
+set(joined "// ${name}: all of lvsm ${VERSION} in one file, generated from its topic files. Edit those, not this.\n")
+set(seen "")
+join(${SOURCE})
+file(WRITE ${OUTPUT} "${joined}")
