@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -26,8 +27,10 @@ void makeSwiftShaderVisible() {
   }
 }
 
+// Printed at once too: what validation complains about can make a driver crash next.
 VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                               const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
+  std::fprintf(stderr, "Vulkan validation: %s\n", data->pMessage);
   static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
   return VK_FALSE;
 }
