@@ -1,0 +1,82 @@
+// Depth metrics: linear in light space, in [0,1], 0 at the light.
+// Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, section 5.
+#ifndef LVSM_DEPTH_GLSL
+#define LVSM_DEPTH_GLSL
+
+#include "config.glsl"
+
+/// Linear step: 0 at and below lo, 1 at and above hi, linear between.
+/// x, lo, hi: any unit, the same for the three. Result in [0,1].
+/// Degenerate: an empty or inverted range is a step, 0 below hi and 1 from hi on.
+/// Source: Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3 (2007), section 8.4.3.
+float lvsm_linstep(float x, float lo, float hi)
+{
+    float range = min(hi - lo, LVSM_HUGE);
+    if (range < LVSM_TINY)
+        return x >= hi ? 1.0 : 0.0;
+    return clamp((x - lo) / range, 0.0, 1.0);
+}
+
+/// Depth below a point or spot light: the Euclidean distance to the light, normalised between two distances.
+/// position, light: world or light space, the same for both. nearDistance, farDistance: in its unit, 0 <= near < far.
+/// Result in [0,1]: 0 at nearDistance or closer, 1 at farDistance or beyond.
+/// Degenerate: near >= far is a step at farDistance.
+/// Source: LVSM section 5.
+float lvsm_pointLightDepth(vec3 position, vec3 light, float nearDistance, float farDistance)
+{
+    vec3 offset = position - light;
+    float squared = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    return lvsm_linstep(sqrt(squared), nearDistance, farDistance);
+}
+
+/// Depth below a directional light: the distance to the light plane, normalised between two distances.
+/// position, light: a point and any point of the light plane, in one space. direction: unit vector along the light.
+/// nearDistance, farDistance: distances from the plane, near < far. Result in [0,1].
+/// Degenerate: near >= far is a step at farDistance; a direction that is not of unit length scales the distance;
+/// components of position - light and direction beyond 1e18 count as 1e18.
+/// Source: LVSM section 5.
+float lvsm_planeLightDepth(vec3 position, vec3 light, vec3 direction, float nearDistance, float farDistance)
+{
+    vec3 offset = clamp(position - light, vec3(-1.0e18), vec3(1.0e18));
+    vec3 axis = clamp(direction, vec3(-1.0e18), vec3(1.0e18));
+    float along = offset.x * axis.x + offset.y * axis.y + offset.z * axis.z;
+    return lvsm_linstep(along, nearDistance, farDistance);
+}
+
+/// Linear depth from the projected depth of a perspective light: the distance along the light's axis, normalised.
+/// z: depth after division in [0,1], 0 at the near plane (for a clip space of [-1,1] pass z / 2 + 1/2).
+/// nearPlane, farPlane: distances, 0 < near < far. Result in [0,1]: 0 at the near plane, 1 at the far plane.
+/// Degenerate: planes that are not positive count as 0, and two planes at 0 give z itself.
+/// Source: the inverse of the perspective projection, z n / (z n + (1 - z) f).
+float lvsm_linearDepth(float z, float nearPlane, float farPlane)
+{
+    float depth = clamp(z, 0.0, 1.0);
+    float atFar = depth * clamp(nearPlane, 0.0, LVSM_HUGE);
+    float atNear = (1.0 - depth) * clamp(farPlane, 0.0, LVSM_HUGE);
+    float sum = atFar + atNear;
+    return sum < LVSM_TINY ? depth : clamp(atFar / sum, 0.0, 1.0);
+}
+
+/// Linear depth from the reversed projected depth of a perspective light, 1 at the near plane and 0 at the far plane.
+/// z: depth after division in [0,1]. nearPlane, farPlane: distances, 0 < near < far.
+/// Result in [0,1]: 0 at the near plane, 1 at the far plane.
+/// Degenerate: planes that are not positive count as 0, and two planes at 0 give 1 - z.
+/// Source: linearDepth of 1 - z, without the cancellation that 1 - z brings near the far plane.
+float lvsm_linearDepthReversed(float z, float nearPlane, float farPlane)
+{
+    float depth = clamp(z, 0.0, 1.0);
+    float atFar = (1.0 - depth) * clamp(nearPlane, 0.0, LVSM_HUGE);
+    float atNear = depth * clamp(farPlane, 0.0, LVSM_HUGE);
+    float sum = atFar + atNear;
+    return sum < LVSM_TINY ? 1.0 - depth : clamp(atFar / sum, 0.0, 1.0);
+}
+
+/// Depth remapped from [0,1] to [-1,1], where both exponential warps have the same reach.
+/// depth: in [0,1], clamped to it. Result in [-1,1].
+/// Source: the range over which LVSM section 7 warps by e^(cx) and -e^(-cx).
+float lvsm_signedDepth(float depth)
+{
+    return 2.0 * clamp(depth, 0.0, 1.0) - 1.0;
+}
+
+#endif

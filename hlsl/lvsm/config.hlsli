@@ -1,0 +1,26 @@
+// Settings and constants that every topic shares.
+#ifndef LVSM_CONFIG_HLSLI
+#define LVSM_CONFIG_HLSLI
+
+// Settings. Define any of them before the first include.
+
+// Most layers that an array of splits can hold; such an array has LVSM_MAX_LAYERS + 1 elements.
+#ifndef LVSM_MAX_LAYERS
+#define LVSM_MAX_LAYERS 8
+#endif
+
+// Keeps M2 - M1^2, the one cancelling difference, from being reassociated or contracted. May be defined empty.
+#ifndef LVSM_PRECISE
+#define LVSM_PRECISE precise
+#endif
+
+// Smallest normal float, 2^-126: GPUs may flush what is smaller, and promise nothing for division by it.
+static const float LVSM_TINY = 1.17549435e-38;
+
+// 2^126: the largest divisor for which Vulkan promises the precision of a division.
+static const float LVSM_HUGE = 8.50705917e37;
+
+// Most layers that uniform splits are counted for: far more than any memory holds, and safe to multiply in float.
+static const int LVSM_MAX_UNIFORM_LAYERS = 65536;
+
+#endif

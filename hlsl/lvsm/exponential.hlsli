@@ -1,0 +1,87 @@
+// Exponential variance shadow maps: moments of a positive and a negative exponential warp.
+// Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, section 7.
+#ifndef LVSM_EXPONENTIAL_HLSLI
+#define LVSM_EXPONENTIAL_HLSLI
+
+#include "moments.hlsli"
+
+// Largest finite value of a storage format, for maxExponent.
+static const float LVSM_LARGEST_FP16 = 65504.0;
+static const float LVSM_LARGEST_FP32 = 3.40282347e38;
+
+// Largest exponent whose second moment is finite in fp32: ln(FLT_MAX) / 2 = 44.36142, less 1.1e-5 for the error of
+// exp, 3 + 2 |x| units in the last place.
+static const float LVSM_MAX_EXPONENT = 44.3614;
+
+/// The two exponential warps of a depth: e^(cx) and -e^(-cx), for x the depth remapped to [-1,1].
+/// depth: in [0,1], clamped to it. exponents: c of the positive and of the negative warp, each clamped to [0, 44.3614].
+/// Result: (positive, negative); the positive in (0, 1.9e19], the negative in [-1.9e19, 0); both rise with depth.
+/// Source: LVSM section 7.
+float2 lvsm_exponentialWarp(float depth, float2 exponents)
+{
+    float x = lvsm_signedDepth(depth);
+    float2 c = clamp(exponents, 0.0, LVSM_MAX_EXPONENT);
+    return float2(exp(c.x * x), -exp(-c.y * x));
+}
+
+/// Moments to store for one depth: each warp and its square.
+/// depth: in [0,1], clamped to it. exponents: of the two warps, each clamped to [0, 44.3614].
+/// Result: (positive, positive^2, negative, negative^2), finite in fp32, in fp16 for exponents up to 5.545.
+/// A texel without any surface stores depth 1; the clear colour is this function's result for it.
+/// Source: LVSM section 7.
+float4 lvsm_exponentialMoments(float depth, float2 exponents)
+{
+    float2 warped = lvsm_exponentialWarp(depth, exponents);
+    return float4(warped.x, warped.x * warped.x, warped.y, warped.y * warped.y);
+}
+
+/// Variance floors in the two warped spaces that equal a global floor in depth: carried through each warp's slope.
+/// minVariance: the global floor in depth squared, >= 0, less counts as 0. depth: the receiver's, in [0,1].
+/// exponents: of the two warps, each clamped to [0, 44.3614].
+/// Result: (positive, negative), each (2 c w)^2 minVariance for a warp w, at most w^2.
+/// Source: first-order propagation through the slope of each warp of LVSM section 7, d/dx e^(c (2x - 1)) = 2 c w.
+float2 lvsm_exponentialMinVariance(float minVariance, float depth, float2 exponents)
+{
+    float2 warped = lvsm_exponentialWarp(depth, exponents);
+    float2 c = clamp(exponents, 0.0, LVSM_MAX_EXPONENT);
+    float2 scale = min(4.0 * c * c * max(minVariance, 0.0), float2(1.0, 1.0));
+    return scale * (warped * warped);
+}
+
+/// Visibility of a receiver from the moments of the positive warp alone (EVSM2).
+/// moments: of the positive warp, filtered. depth: the receiver's, in [0,1]. exponent: of the warp, as when stored.
+/// minVariance: the global floor in depth squared, >= 0.
+/// Result in [0,1], an upper bound on the lit share of the window.
+/// Source: LVSM section 7 and equation 3.
+float lvsm_exponentialVisibility2(float2 moments, float depth, float exponent, float minVariance)
+{
+    float2 exponents = float2(exponent, 0.0);
+    float warped = lvsm_exponentialWarp(depth, exponents).x;
+    return lvsm_chebyshevUpperBound(moments, warped, lvsm_exponentialMinVariance(minVariance, depth, exponents).x);
+}
+
+/// Visibility of a receiver from the moments of both warps (EVSM4): the lesser of their two upper bounds.
+/// moments: as exponentialMoments made them, filtered. depth: the receiver's, in [0,1].
+/// exponents: of the two warps, as when stored. minVariance: the global floor in depth squared, >= 0.
+/// Result in [0,1], an upper bound on the lit share of the window.
+/// Source: LVSM section 7 and equation 3.
+float lvsm_exponentialVisibility4(float4 moments, float depth, float2 exponents, float minVariance)
+{
+    float2 warped = lvsm_exponentialWarp(depth, exponents);
+    float2 floors = lvsm_exponentialMinVariance(minVariance, depth, exponents);
+    return min(lvsm_chebyshevUpperBound(moments.xy, warped.x, floors.x),
+               lvsm_chebyshevUpperBound(moments.zw, warped.y, floors.y));
+}
+
+/// Largest exponent whose moments a storage format can hold and a filter can sum.
+/// largest: the format's largest finite value, see the LVSM_LARGEST constants; less than 1 counts as 1.
+/// headRoom: how often an unnormalised filter sum holds its largest sample, >= 1 (1 for weights that sum to 1).
+/// Result in [0, 44.3614]: 5.545 for fp16 and 44.3614 for fp32 without head room.
+/// Source: headRoom e^(2c) <= largest, solved for c.
+float lvsm_maxExponent(float largest, float headRoom)
+{
+    float ratio = max(largest, 1.0) / clamp(headRoom, 1.0, LVSM_HUGE);
+    return clamp(0.5 * log(max(ratio, 1.0)), 0.0, LVSM_MAX_EXPONENT);
+}
+
+#endif

@@ -1,0 +1,101 @@
+// Variance shadow maps: two moments of depth and the one-tailed Chebyshev bound.
+// Donnelly & Lauritzen, Variance Shadow Maps, I3D 2006; Lauritzen & McCool, Layered Variance Shadow Maps,
+// Graphics Interface 2008, section 3; Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3 (2007), chapter 8.
+#ifndef LVSM_MOMENTS_HLSLI
+#define LVSM_MOMENTS_HLSLI
+
+#include "depth.hlsli"
+
+// Largest rounding error of a depth in [0,1] stored in a format: half a step of 2^b - 1 equal ones for unorm,
+// half a unit in the last place below 1 for floating point. For recommendedMinVariance.
+static const float LVSM_DEPTH_ERROR_UNORM8 = 0.00196078431;
+static const float LVSM_DEPTH_ERROR_UNORM16 = 7.62951094e-6;
+static const float LVSM_DEPTH_ERROR_FP16 = 0.000244140625;
+static const float LVSM_DEPTH_ERROR_FP32 = 2.98023224e-8;
+
+/// Moments to store for one depth: the depth and its square.
+/// depth: in [0,1], clamped to it. Result: (M1, M2), each in [0,1]. A texel without any surface stores depth 1: (1, 1).
+/// Source: LVSM equation 1.
+float2 lvsm_depthMoments(float depth)
+{
+    float m1 = clamp(depth, 0.0, 1.0);
+    return float2(m1, m1 * m1);
+}
+
+/// Moments to store for a texel that a slanted surface fills: the second carries the variance inside the texel.
+/// depth: in [0,1], clamped to it. dx, dy: change of depth from one texel to the next (screen derivatives).
+/// Result: (M1, M2), each in [0,1]; M2 is at most M1, which no distribution of depths in [0,1] exceeds.
+/// Source: GPU Gems 3, section 8.4.2: M2 + (dx^2 + dy^2) / 4.
+float2 lvsm_depthMomentsSloped(float depth, float dx, float dy)
+{
+    float m1 = clamp(depth, 0.0, 1.0);
+    return float2(m1, min(m1 * m1 + 0.25 * (dx * dx + dy * dy), m1));
+}
+
+/// Mean depth of filtered moments.
+/// moments: (M1, M2). Result: M1, unchanged.
+/// Source: LVSM equation 2.
+float lvsm_mean(float2 moments)
+{
+    return moments.x;
+}
+
+/// Variance of filtered moments, with a floor.
+/// moments: (M1, M2). minVariance: the floor, in depth squared of the moments' space, >= 0 (less counts as 0).
+/// Result: at least minVariance, never negative. Rounding can make M2 - M1^2 negative: the floor takes its place.
+/// Source: LVSM equation 2 and the clamp that follows equation 3.
+float lvsm_variance(float2 moments, float minVariance)
+{
+    LVSM_PRECISE float difference = moments.y - moments.x * moments.x;
+    return max(difference, max(minVariance, 0.0));
+}
+
+/// Upper bound on the share of the filter window that is at depth t or farther: the visibility of a receiver at t.
+/// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
+/// Result in [0,1]: 1 for t <= M1. Exact for one planar occluder over one planar receiver at t.
+/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond.
+/// Source: LVSM equation 3 (one-tailed Chebyshev inequality, also called Cantelli's).
+float lvsm_chebyshevUpperBound(float2 moments, float t, float minVariance)
+{
+    float v = lvsm_variance(moments, minVariance);
+    float d = t - moments.x;
+    float tail = clamp(v / max(v + d * d, LVSM_TINY), 0.0, 1.0);
+    return t > moments.x ? tail : 1.0;
+}
+
+/// Lower bound on the share of the filter window that is at depth t or farther: the mirror of chebyshevUpperBound.
+/// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
+/// Result in [0,1]: 0 for t >= M1, where the inequality says nothing.
+/// Degenerate: zero variance is a step, 1 below M1 and 0 from M1 on.
+/// Source: LVSM equation 3 applied to -x: P(x >= t) >= 1 - v / (v + d^2).
+float lvsm_chebyshevLowerBound(float2 moments, float t, float minVariance)
+{
+    float v = lvsm_variance(moments, minVariance);
+    float d = moments.x - t;
+    float tail = clamp(v / max(v + d * d, LVSM_TINY), 0.0, 1.0);
+    return t < moments.x ? 1.0 - tail : 0.0;
+}
+
+/// Visibility with its low end cut off and the rest stretched back to [0,1]: less bleeding, darker penumbrae.
+/// visibility: in [0,1]. amount: what counts as no light, in [0,1), less counts as 0.
+/// Result in [0,1]: 0 up to amount, 1 at 1; rises with visibility and falls with amount.
+/// Degenerate: amount >= 1 leaves only full visibility lit.
+/// Source: GPU Gems 3, section 8.4.3.
+float lvsm_reduceLightBleeding(float visibility, float amount)
+{
+    return lvsm_linstep(visibility, max(amount, 0.0), 1.0);
+}
+
+/// Least variance floor with which rounding alone never darkens a flat lit receiver by more than a stated amount.
+/// depthError: largest error of the stored depth, in [0,1], see the LVSM_DEPTH_ERROR constants; add those of all passes.
+/// worstDarkening: accepted loss of visibility, in (0,1), clamped to [2^-24, 1].
+/// Result in depth squared, in [0, 2^24]; divide by the square of a layer's length with layerMinVariance.
+/// Source: solves v / (v + depthError^2) = 1 - worstDarkening, LVSM equation 3, for v.
+float lvsm_recommendedMinVariance(float depthError, float worstDarkening)
+{
+    float e = clamp(depthError, 0.0, 1.0);
+    float darkening = clamp(worstDarkening, 5.96046448e-8, 1.0);
+    return e * e * ((1.0 - darkening) / darkening);
+}
+
+#endif

@@ -1,0 +1,87 @@
+// lvsm: the maths of filterable shadow maps, the same in C++, GLSL and HLSL.
+//
+// Conventions, relied on everywhere
+//   depth        linear in light space, in [0,1]: 0 at the light, larger is farther. Distance to the light point or
+//                plane, normalised. Not the projected z; linearDepth converts that.
+//   visibility   in [0,1]: 1 lit, 0 in shadow.
+//   moments      (M1, M2), means of a depth and of its square over a filter window, filtered linearly. Their space is
+//                depth itself or a warp of it; the function says which. Filter moments.
+//   empty texel  a texel without any surface holds depth 1: clear to depthMoments(1), layerMoments(1, interval) or
+//                exponentialMoments(1, exponents).
+//   layers       counted from 0 at the light. N layers have N + 1 splits, splits[0] = 0 and splits[N] = 1, not
+//                decreasing. Two neighbouring layers share a texel of four components.
+//   minVariance  floor of the variance, in depth squared, unwarped; the functions carry it into each warp.
+//   totality     any finite arguments give a finite result in the stated range; arguments outside their range are
+//                clamped, and what is degenerate is said. Shaders promise nothing for NaN and infinity, since GPUs need
+//                not keep them; in C++ a NaN reads as the lower end of its range, so that visibility stays in [0,1].
+//   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
+//                parameters in the same order.
+//
+// Topics: depth, moments, layers, exponential, placement; on the host also lloyd. A whole use, in each language:
+//
+// C++
+//
+//   #include <lvsm/lvsm.hpp>
+//
+//   // Splits for this frame's light, from its depth image.
+//   float splits[5];
+//   const auto relaxed = lvsm::lloydRelax(depths.data(), width, height, splits, 4);
+//   if (!relaxed)
+//       std::fprintf(stderr, "splits: %s\n", lvsm::describe(relaxed.status));
+//
+//   // One receiver, judged as the shader does.
+//   const int layer = lvsm::layerIndex(depth, splits, 4);
+//   const glm::vec2 interval = lvsm::layerInterval(splits[layer], splits[layer + 1], 0.01f);
+//   const glm::vec2 moments = lvsm::unpackLayer(filteredTexel(layer / 2), layer);
+//   const float visibility = lvsm::layeredVisibility(moments, depth, interval, 1.0e-5f);
+//
+// GLSL
+//
+//   #include "lvsm.glsl"
+//
+//   // Shadow pass: two layers in one texel of four components, cleared to (1, 1, 1, 1), then blurred.
+//   vec4 storeLayers(float depth, float splits[LVSM_MAX_LAYERS + 1], int even, float overlap)
+//   {
+//       return lvsm_packLayers(
+//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even], splits[even + 1], overlap)),
+//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even + 1], splits[even + 2], overlap)));
+//   }
+//
+//   // Lighting: texel is the filtered sample of texture number lvsm_layerIndex(...) / 2.
+//   float visibility(vec4 texel, float depth, float splits[LVSM_MAX_LAYERS + 1], int layer, float overlap)
+//   {
+//       vec2 interval = lvsm_layerInterval(splits[layer], splits[layer + 1], overlap);
+//       vec2 moments = lvsm_unpackLayer(texel, layer);
+//       return lvsm_reduceLightBleeding(lvsm_layeredVisibility(moments, depth, interval, 1.0e-5), 0.1);
+//   }
+//
+// HLSL
+//
+//   #include "lvsm.hlsli"
+//
+//   // Shadow pass: two layers in one texel of four components, cleared to (1, 1, 1, 1), then blurred.
+//   float4 storeLayers(float depth, float splits[LVSM_MAX_LAYERS + 1], int even, float overlap)
+//   {
+//       return lvsm_packLayers(
+//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even], splits[even + 1], overlap)),
+//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even + 1], splits[even + 2], overlap)));
+//   }
+//
+//   // Lighting: texel is the filtered sample of texture number lvsm_layerIndex(...) / 2.
+//   float visibility(float4 texel, float depth, float splits[LVSM_MAX_LAYERS + 1], int layer, float overlap)
+//   {
+//       float2 interval = lvsm_layerInterval(splits[layer], splits[layer + 1], overlap);
+//       float2 moments = lvsm_unpackLayer(texel, layer);
+//       return lvsm_reduceLightBleeding(lvsm_layeredVisibility(moments, depth, interval, 1.0e-5), 0.1);
+//   }
+#ifndef LVSM_LVSM_HPP
+#define LVSM_LVSM_HPP
+
+#include "depth.hpp"
+#include "exponential.hpp"
+#include "layers.hpp"
+#include "lloyd.hpp"
+#include "moments.hpp"
+#include "placement.hpp"
+
+#endif

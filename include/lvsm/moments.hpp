@@ -1,0 +1,120 @@
+// Variance shadow maps: two moments of depth and the one-tailed Chebyshev bound.
+// Donnelly & Lauritzen, Variance Shadow Maps, I3D 2006; Lauritzen & McCool, Layered Variance Shadow Maps,
+// Graphics Interface 2008, section 3; Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3 (2007), chapter 8.
+#ifndef LVSM_MOMENTS_HPP
+#define LVSM_MOMENTS_HPP
+
+#include "depth.hpp"
+
+#include <glm/vec2.hpp>
+
+namespace lvsm
+{
+
+// Largest rounding error of a depth in [0,1] stored in a format: half a step of 2^b - 1 equal ones for unorm,
+// half a unit in the last place below 1 for floating point. For recommendedMinVariance.
+template <typename T>
+constexpr T kDepthErrorUnorm8 = T(0.00196078431);
+template <typename T>
+constexpr T kDepthErrorUnorm16 = T(7.62951094e-6);
+template <typename T>
+constexpr T kDepthErrorFp16 = T(0.000244140625);
+template <typename T>
+constexpr T kDepthErrorFp32 = T(2.98023224e-8);
+
+/// Moments to store for one depth: the depth and its square.
+/// depth: in [0,1], clamped to it. Result: (M1, M2), each in [0,1]. A texel without any surface stores depth 1: (1, 1).
+/// Source: LVSM equation 1.
+template <typename T>
+glm::vec<2, T> depthMoments(T depth)
+{
+    const T m1 = detail::clamp(depth, T(0), T(1));
+    return {m1, m1 * m1};
+}
+
+/// Moments to store for a texel that a slanted surface fills: the second carries the variance inside the texel.
+/// depth: in [0,1], clamped to it. dx, dy: change of depth from one texel to the next (screen derivatives).
+/// Result: (M1, M2), each in [0,1]; M2 is at most M1, which no distribution of depths in [0,1] exceeds.
+/// Source: GPU Gems 3, section 8.4.2: M2 + (dx^2 + dy^2) / 4.
+template <typename T>
+glm::vec<2, T> depthMomentsSloped(T depth, T dx, T dy)
+{
+    const T m1 = detail::clamp(depth, T(0), T(1));
+    return {m1, detail::min(m1, m1 * m1 + T(0.25) * (dx * dx + dy * dy))};
+}
+
+/// Mean depth of filtered moments.
+/// moments: (M1, M2). Result: M1, unchanged.
+/// Source: LVSM equation 2.
+template <typename T, glm::qualifier Q>
+T mean(const glm::vec<2, T, Q>& moments)
+{
+    return moments.x;
+}
+
+/// Variance of filtered moments, with a floor.
+/// moments: (M1, M2). minVariance: the floor, in depth squared of the moments' space, >= 0 (less counts as 0).
+/// Result: at least minVariance, never negative. Rounding can make M2 - M1^2 negative: the floor takes its place.
+/// Source: LVSM equation 2 and the clamp that follows equation 3.
+template <typename T, glm::qualifier Q>
+T variance(const glm::vec<2, T, Q>& moments, T minVariance)
+{
+    const T difference = moments.y - moments.x * moments.x;
+    return detail::max(detail::max(T(0), minVariance), difference);
+}
+
+/// Upper bound on the share of the filter window that is at depth t or farther: the visibility of a receiver at t.
+/// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
+/// Result in [0,1]: 1 for t <= M1. Exact for one planar occluder over one planar receiver at t.
+/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond.
+/// Source: LVSM equation 3 (one-tailed Chebyshev inequality, also called Cantelli's).
+template <typename T, glm::qualifier Q>
+T chebyshevUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
+{
+    const T v = variance(moments, minVariance);
+    const T d = t - moments.x;
+    const T tail = detail::clamp(v / detail::max(kTiny<T>, v + d * d), T(0), T(1));
+    return t > moments.x ? tail : T(1);
+}
+
+/// Lower bound on the share of the filter window that is at depth t or farther: the mirror of chebyshevUpperBound.
+/// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
+/// Result in [0,1]: 0 for t >= M1, where the inequality says nothing.
+/// Degenerate: zero variance is a step, 1 below M1 and 0 from M1 on.
+/// Source: LVSM equation 3 applied to -x: P(x >= t) >= 1 - v / (v + d^2).
+template <typename T, glm::qualifier Q>
+T chebyshevLowerBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
+{
+    const T v = variance(moments, minVariance);
+    const T d = moments.x - t;
+    const T tail = detail::clamp(v / detail::max(kTiny<T>, v + d * d), T(0), T(1));
+    return t < moments.x ? T(1) - tail : T(0);
+}
+
+/// Visibility with its low end cut off and the rest stretched back to [0,1]: less bleeding, darker penumbrae.
+/// visibility: in [0,1]. amount: what counts as no light, in [0,1), less counts as 0.
+/// Result in [0,1]: 0 up to amount, 1 at 1; rises with visibility and falls with amount.
+/// Degenerate: amount >= 1 leaves only full visibility lit.
+/// Source: GPU Gems 3, section 8.4.3.
+template <typename T>
+T reduceLightBleeding(T visibility, T amount)
+{
+    return linstep(visibility, detail::max(T(0), amount), T(1));
+}
+
+/// Least variance floor with which rounding alone never darkens a flat lit receiver by more than a stated amount.
+/// depthError: largest error of the stored depth, in [0,1], see the kDepthError constants; add those of all passes.
+/// worstDarkening: accepted loss of visibility, in (0,1), clamped to [2^-24, 1].
+/// Result in depth squared, in [0, 2^24]; divide by the square of a layer's length with layerMinVariance.
+/// Source: solves v / (v + depthError^2) = 1 - worstDarkening, LVSM equation 3, for v.
+template <typename T>
+T recommendedMinVariance(T depthError, T worstDarkening)
+{
+    const T e = detail::clamp(depthError, T(0), T(1));
+    const T darkening = detail::clamp(worstDarkening, T(5.9604644775390625e-8), T(1));
+    return e * e * ((T(1) - darkening) / darkening);
+}
+
+} // namespace lvsm
+
+#endif
