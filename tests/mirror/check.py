@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Fails when the three languages have drifted apart, or a shader file holds what some client refuses.
+
+Compares functions, parameters, types, doc comments and constants topic by topic, and the rows of functions.def.
+Prints every difference, one a line:  check.py [ROOT]
+"""
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import lvsm_api  # noqa: E402
+from lvsm_api import HOST_ONLY, LANGUAGES, UMBRELLA, source, topics  # noqa: E402
+
+# What clients refuse (naga most of all), and what would tie a maths file to a pipeline. LVSM_PRECISE hides `precise`.
+REFUSED = re.compile(r"\b(precise|isnan|isinf|switch|lowp|mediump|highp|precision|[iu]?sampler\w*|[iu]?texture\w*|"
+                     r"Texture\w+|Sampler\w+|uniform|cbuffer|layout|register)\b|#\s*(version|extension|pragma)")
+# The words of the languages that stand at the scope of a file beside the names that it declares.
+LANGUAGE_WORDS = re.compile(r"const|static|inline|void|struct|in|out|inout|((float|int|uint|bool|[iub]?vec)\d?(x\d)?)")
+
+
+def compare_functions(root, topic):
+    """Yields the differences of the two shader languages from C++, which is the reference."""
+    api = {language: {f.name: f for f in lvsm_api.functions(root, language, topic)} for language in LANGUAGES}
+    names = {language: list(functions) for language, functions in api.items()}
+    for language in ("GLSL", "HLSL"):
+        for name in sorted(set(names["C++"]) ^ set(names[language])):
+            missing = language if name in names["C++"] else "C++"
+            yield f"{topic}: {name} is missing in {missing}"
+        if sorted(names["C++"]) == sorted(names[language]) and names["C++"] != names[language]:
+            yield f"{topic}: the functions stand in another order in {language}"
+    for name, reference in api["C++"].items():
+        if not reference.doc:
+            yield f"{topic}: {name} has no /// comment in C++"
+        for language in ("GLSL", "HLSL"):
+            other = api[language].get(name)
+            if other is None:
+                continue
+            if [n for _, n in reference.parameters] != [n for _, n in other.parameters]:
+                yield f"{topic}: {name}'s parameters differ in {language}, by name or order"
+            elif reference.parameters != other.parameters:
+                yield f"{topic}: {name}'s parameter types differ in {language}"
+            if reference.result != other.result:
+                yield f"{topic}: {name}'s result is {reference.result} in C++, {other.result} in {language}"
+            if reference.doc != other.doc:
+                yield f"{topic}: {name}'s doc comment differs in {language} {first_difference(reference.doc, other.doc)}"
+
+
+def first_difference(a, b):
+    words = [text.split() for text in (a, b)]
+    at = next((i for i, (x, y) in enumerate(zip(*words)) if x != y), min(map(len, words)))
+    return "from: '{}' / '{}'".format(*(" ".join(w[max(at - 1, 0):at + 3]) for w in words))
+
+
+def compare_constants(root, topic):
+    values = {language: lvsm_api.constants(root, language, topic) for language in LANGUAGES}
+    for name in sorted(set().union(*values.values())):
+        of = {language: values[language].get(name) for language in LANGUAGES}
+        if len(set(of.values())) > 1:
+            yield f"{topic}: {name} differs: " + ", ".join(f"{value} in {language}" for language, value in of.items())
+
+
+def check_shader(root, language, topic):
+    path = source(root, language, topic)
+    text = path.read_text()
+    where = f"{topic} in {language}"
+    code = lvsm_api.without_comments(text)
+
+    guard = f"LVSM_{topic.upper()}_{path.suffix[1:].upper()}"
+    if not re.match(rf"\s*#ifndef {guard}\n#define {guard}\n.*\n#endif\s*$", code, re.DOTALL):
+        yield f"{where}: the include guard is not {guard}"
+    for match in REFUSED.finditer(re.sub(r"#define LVSM_PRECISE precise\n", "", code)):
+        yield f"{where}: clients refuse '{match.group()}'"
+    for name in sorted(set(re.findall(r"\b\w*__\w*\b", code)) - {"__VERSION__"}):
+        yield f"{where}: {name} has two underscores in a row, which GLSL reserves"
+
+    macros = re.findall(r"^\s*#\s*define\s+(\w+)", code, re.MULTILINE)
+    flat, _ = lvsm_api.file_scope(text)
+    flat = re.sub(r"^\s*#.*|@\d+@|\([^()]*\)|=[^;]*|\[[^\]]*\]", " ", flat, flags=re.MULTILINE)
+    for name in macros + re.findall(r"[A-Za-z_]\w*", flat):
+        if not re.match(r"lvsm_|LVSM_", name) and not LANGUAGE_WORDS.fullmatch(name):
+            yield f"{where}: {name} could collide with a client's name: it has no lvsm_ or LVSM_ in front"
+
+
+def check_rows(root, public):
+    path = pathlib.Path(root) / "tests/parity/functions.def"
+    if not path.exists():
+        yield "tests/parity/functions.def is missing"
+        return
+    rows = re.findall(r"^\s*FUNCTION\(\s*(\w+)", path.read_text(), re.MULTILINE)
+    for name in public:
+        if name not in rows:
+            yield f"{name} has no row in tests/parity/functions.def"
+    for name in sorted(set(rows) - set(public)):
+        yield f"tests/parity/functions.def has a row for {name}, which is no public function"
+
+
+def readable(topic, check):
+    """The differences that a check finds, and what in the files it cannot read."""
+    try:
+        yield from check
+    except ValueError as error:
+        yield f"{topic}: {error}"
+
+
+def differences(root):
+    shared = topics(root, "C++") - HOST_ONLY
+    for language in ("GLSL", "HLSL"):
+        for topic in sorted(shared ^ topics(root, language)):
+            yield f"topic {topic} is missing in {language if topic in shared else 'C++'}"
+    for language in LANGUAGES:
+        included = set(re.findall(r'#include "(?:lvsm/)?(\w+)\.', source(root, language, UMBRELLA).read_text()))
+        for topic in sorted(topics(root, language) - included - {UMBRELLA, "config"}):
+            yield f"the umbrella does not include {topic} in {language}"
+
+    public = []
+    for topic in sorted(set.intersection(*(topics(root, language) for language in LANGUAGES))):
+        yield from readable(topic, compare_functions(root, topic))
+        yield from readable(topic, compare_constants(root, topic))
+        public += [function.name for function in lvsm_api.functions(root, "C++", topic, canonical=False)]
+    for language in ("GLSL", "HLSL"):
+        for topic in sorted(topics(root, language)):
+            yield from check_shader(root, language, topic)
+    yield from check_rows(root, public)
+
+
+def main():
+    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2]
+    found = list(differences(root))
+    print(*found, f"{len(found)} differences", sep="\n")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
