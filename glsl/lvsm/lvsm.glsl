@@ -17,7 +17,7 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, exponential, placement. A whole use:
+// Topics: depth, moments, layers, exponential, placement, esm, convolution, pcf, filter. A whole use:
 //
 // GLSL
 //
@@ -41,10 +41,14 @@
 #ifndef LVSM_LVSM_GLSL
 #define LVSM_LVSM_GLSL
 
+#include "convolution.glsl"
 #include "depth.glsl"
+#include "esm.glsl"
 #include "exponential.glsl"
+#include "filter.glsl"
 #include "layers.glsl"
 #include "moments.glsl"
+#include "pcf.glsl"
 #include "placement.glsl"
 
 #endif

@@ -17,7 +17,7 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, exponential, placement. A whole use:
+// Topics: depth, moments, layers, exponential, placement, esm, convolution, pcf, filter. A whole use:
 //
 // HLSL
 //
@@ -41,10 +41,14 @@
 #ifndef LVSM_LVSM_HLSLI
 #define LVSM_LVSM_HLSLI
 
+#include "convolution.hlsli"
 #include "depth.hlsli"
+#include "esm.hlsli"
 #include "exponential.hlsli"
+#include "filter.hlsli"
 #include "layers.hlsli"
 #include "moments.hlsli"
+#include "pcf.hlsli"
 #include "placement.hlsli"
 
 #endif

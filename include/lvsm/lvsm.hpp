@@ -17,7 +17,8 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, exponential, placement; on the host also lloyd. A whole use, in each language:
+// Topics: depth, moments, layers, exponential, placement, esm, convolution, pcf, filter; on the host also lloyd.
+// A whole use, in each language:
 //
 // C++
 //
@@ -77,11 +78,15 @@
 #ifndef LVSM_LVSM_HPP
 #define LVSM_LVSM_HPP
 
+#include "convolution.hpp"
 #include "depth.hpp"
+#include "esm.hpp"
 #include "exponential.hpp"
+#include "filter.hpp"
 #include "layers.hpp"
 #include "lloyd.hpp"
 #include "moments.hpp"
+#include "pcf.hpp"
 #include "placement.hpp"
 
 #endif

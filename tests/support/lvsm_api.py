@@ -92,13 +92,18 @@ def canonical_doc(text):
 
 
 def functions(root, language, topic, canonical=True):
-    """The public functions of a topic in the order of the file. Not canonical: as written, for files of host types."""
+    """The public functions of a topic in the order of the file. Not canonical: as written, for files of host types.
+
+    Shaders have no namespace for what is internal: there a function with a // comment in place of /// is a helper.
+    """
     text, docs = file_scope(source(root, language, topic).read_text())
     text = re.sub(r"^\s*#.*", "", text, flags=re.MULTILINE)
     pattern = re.compile(r"(?:@(?P<doc>\d+)@\s*)?(?:template <(?P<template>[^{}();]*)>\s*)?"
                          r"(?P<result>[\w:][\w:<>,*& ]*?)\s+(?P<name>\w+)\((?P<parameters>[^(){};]*)\)\s*\{\}")
     found = []
     for match in pattern.finditer(text):
+        if language != "C++" and not match["doc"]:
+            continue
         result = re.sub(r"\b(inline|constexpr|static)\s+", "", match["result"])
         parameters = split_parameters(match["parameters"])
         found.append(Function(

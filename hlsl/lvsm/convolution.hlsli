@@ -1,0 +1,114 @@
+// Convolution shadow maps: the depth test as a Fourier series, whose terms in the occluder's depth filter linearly.
+// Annen, Mertens, Bekaert, Seidel & Kautz, Convolution Shadow Maps, Eurographics Symposium on Rendering 2007.
+//
+// The test of t = z - d, 1 for t >= 0, is 1/2 + 2 sum of sin(c_k t) / c_k, with c_k = (2k - 1) pi for k = 1 to the
+// order. sin(c_k (z - d)) separates into sines and cosines of z, which are stored, four terms to a texel each, and
+// those of d. The series has period 2 and begins to fall to 1/2 again at both ends of [-1,1], so all depths are
+// shrunk here by the distance from a crest to its step, fourierOffset.
+#ifndef LVSM_CONVOLUTION_HLSLI
+#define LVSM_CONVOLUTION_HLSLI
+
+#include "config.hlsli"
+
+// Most terms: far more than any memory holds.
+static const int LVSM_MAX_FOURIER_ORDER = 256;
+
+static const float LVSM_PI = 3.14159265;
+
+/// What a receiver is moved towards the light so that a lit surface is on the first crest of the series, not at 1/2.
+/// order: number of terms, from 1 to 256, clamped to it. Result in depth, in (0, 1/2]: 1 / (2 order), 0.031 for 16.
+/// Source: the first zero of the derivative of the series, sin(2 order pi t) / sin(pi t).
+float lvsm_fourierOffset(int order)
+{
+    return 0.5 / float(clamp(order, 1, LVSM_MAX_FOURIER_ORDER));
+}
+
+// The angles c_k of four terms times a depth, in [-pi, pi], where sines and cosines have their stated precision.
+float4 lvsm_fourierAngles(float depth, int first)
+{
+    int k = clamp(first, 1, LVSM_MAX_FOURIER_ORDER);
+    float4 halfTurns = depth * float4(float(2 * k - 1), float(2 * k + 1), float(2 * k + 3), float(2 * k + 5));
+    return LVSM_PI * (halfTurns - 2.0 * floor(0.5 * halfTurns + 0.5));
+}
+
+/// Sines to store of four terms for one depth.
+/// depth: in [0,1], clamped to it. first: number of the first of the four terms, counted from 1, clamped to [1, 256].
+/// order: number of all terms, from 1 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
+/// A texel without any surface stores depth 1.
+/// Source: CSM's basis functions sin(c_k z).
+float4 lvsm_fourierSines(float depth, int first, int order)
+{
+    return clamp(sin(lvsm_fourierAngles((1.0 - lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0), first)), -1.0, 1.0);
+}
+
+/// Cosines to store of four terms for one depth.
+/// depth: in [0,1], clamped to it. first: number of the first of the four terms, counted from 1, clamped to [1, 256].
+/// order: number of all terms, from 1 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
+/// A texel without any surface stores depth 1.
+/// Source: CSM's basis functions cos(c_k z).
+float4 lvsm_fourierCosines(float depth, int first, int order)
+{
+    return clamp(cos(lvsm_fourierAngles((1.0 - lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0), first)), -1.0, 1.0);
+}
+
+/// Sines or cosines as an unsigned 8-bit format holds them: -1, 0 and 1 fall on whole codes, 1, 128 and 255.
+/// terms: each clamped to [-1,1]. Result: each in [1/255, 1]. Filtering may come after it.
+/// Source: (127 x + 128) / 255.
+float4 lvsm_encodeFourier(float4 terms)
+{
+    return (127.0 * clamp(terms, -1.0, 1.0) + 128.0) / 255.0;
+}
+
+/// Sines or cosines back from an unsigned 8-bit format.
+/// texel: as encodeFourier made it, filtered; each clamped to [0,1]. Result: each in [-1,1].
+/// Source: the inverse of encodeFourier.
+float4 lvsm_decodeFourier(float4 texel)
+{
+    return clamp((255.0 * clamp(texel, 0.0, 1.0) - 128.0) / 127.0, -1.0, 1.0);
+}
+
+/// Factor of one term that suppresses the ringing of the cut series, at the cost of a softer step.
+/// index: of the term, counted from 1, clamped to [1, order]. order: number of terms, from 1 to 256, clamped to it.
+/// strength: 0 leaves the term as it is, less counts as 0; at most 2^126. Result in [0,1], falling with index.
+/// Source: CSM's attenuation e^(-strength (k / order)^2).
+float lvsm_fourierAttenuation(int index, int order, float strength)
+{
+    int count = clamp(order, 1, LVSM_MAX_FOURIER_ORDER);
+    float ratio = float(clamp(index, 1, count)) / float(count);
+    return clamp(exp(-clamp(strength, 0.0, LVSM_HUGE) * (ratio * ratio)), 0.0, 1.0);
+}
+
+// Weight of one term in the sum, 0 beyond the order.
+float lvsm_fourierWeight(int index, int order, float strength)
+{
+    float weight = 2.0 * lvsm_fourierAttenuation(index, order, strength) / (LVSM_PI * float(2 * index - 1));
+    return index <= order ? weight : 0.0;
+}
+
+/// Share of four terms in the series at a receiver; add those of all terms and pass the sum to fourierVisibility.
+/// sines, cosines: as stored for the four terms, filtered, each clamped to [-1,1]. depth: the receiver's, in [0,1],
+/// clamped to it. offset: towards the light, clamped to [0,1], see fourierOffset. first: number of the first of the
+/// four, counted from 1, clamped to [1, 256]. order: number of all terms, from 1 to 256, clamped to it; terms beyond it
+/// count nothing. strength: of fourierAttenuation. Result in [-1.51, 1.51].
+/// Source: CSM's reconstruction, 2 / c_k (cos(c_k d) sin(c_k z) - sin(c_k d) cos(c_k z)).
+float lvsm_fourierSum(float4 sines, float4 cosines, float depth, float offset, int first, int order, float strength)
+{
+    int k = clamp(first, 1, LVSM_MAX_FOURIER_ORDER);
+    int count = clamp(order, 1, LVSM_MAX_FOURIER_ORDER);
+    float receiver = (1.0 - lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0) - clamp(offset, 0.0, 1.0);
+    float4 angles = lvsm_fourierAngles(max(receiver, 0.0), k);
+    float4 terms = cos(angles) * clamp(sines, -1.0, 1.0) - sin(angles) * clamp(cosines, -1.0, 1.0);
+    return lvsm_fourierWeight(k, count, strength) * terms.x + lvsm_fourierWeight(k + 1, count, strength) * terms.y +
+           lvsm_fourierWeight(k + 2, count, strength) * terms.z + lvsm_fourierWeight(k + 3, count, strength) * terms.w;
+}
+
+/// Visibility of a receiver from the summed series.
+/// sum: of fourierSum over all terms. scale: 1, or 2 to take what a surface has of itself without offset, 1/2, for full
+/// light; >= 0, less counts as 0, at most 2^126. Result in [0,1].
+/// Source: CSM's reconstruction, scaled and clamped.
+float lvsm_fourierVisibility(float sum, float scale)
+{
+    return clamp(clamp(scale, 0.0, LVSM_HUGE) * clamp(0.5 + sum, 0.0, 1.0), 0.0, 1.0);
+}
+
+#endif
