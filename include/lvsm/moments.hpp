@@ -91,6 +91,27 @@ T chebyshevLowerBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
     return t < moments.x ? T(1) - tail : T(0);
 }
 
+/// Upper bound on the share of the filter window that is at depth t or farther, for depths known to lie in [0,1].
+/// moments: (M1, M2) filtered, of a depth in [0,1]. t: the receiver's depth in the moments' space.
+/// minVariance: floor of the variance, >= 0. Result in [0,1]: 1 for t <= 0, never above chebyshevUpperBound.
+/// Exact for samples at 0 and 1 alone; without a floor no bound from two moments is less anywhere.
+/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond.
+/// Source: the least mean of three parabolas that are nowhere less than the step at t: Cantelli's; x / t (Markov's);
+/// x (1 + t - x) / t. Together they are the bound of Markov and Krein for the support [0,1]. The floor adds
+/// 9/4 minVariance / t^2 to the last two, which makes up for the same depth error as it does in Cantelli's.
+template <typename T, glm::qualifier Q>
+T boundedUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
+{
+    const T tail = chebyshevUpperBound(moments, t, minVariance);
+    const T m1 = detail::clamp(moments.x, T(0), T(1));
+    const T m2 = detail::clamp(moments.y, T(0), T(1));
+    const T at = detail::clamp(t, T(0), T(1));
+    const T inverse = T(1) / detail::max(kTiny<T>, at);
+    const T room = T(2.25) * detail::clamp(minVariance, T(0), T(1)) * inverse;
+    const T parabolas = (detail::min(m1, m1 * at + (m1 - m2)) + room) * inverse;
+    return t > T(0) ? detail::clamp(detail::min(tail, parabolas), T(0), T(1)) : T(1);
+}
+
 /// Visibility with its low end cut off and the rest stretched back to [0,1]: less bleeding, darker penumbrae.
 /// visibility: in [0,1]. amount: what counts as no light, in [0,1), less counts as 0.
 /// Result in [0,1]: 0 up to amount, 1 at 1; rises with visibility and falls with amount.

@@ -1,0 +1,185 @@
+// Bracketed layers: the neighbours of a layer tell how much of the filter window lies in front of it and behind it.
+//
+// The layers are contiguous, without overlap: a depth behind the split between two layers warps to 1 in the one in
+// front of it, and a depth in front of the split to 0 in the one behind. So the moments of the layer in front bound how
+// much of the window is in front of this layer, those of the layer behind how much is behind it, and neighbours' moments
+// add up to those of their union. The share in front is dark, the share behind is lit, and only what is left needs a
+// bound of its own. Each result is an upper bound on the lit share of the window, like the bound it is made of, where
+// the moments are exact, come from one window, and the layers do not overlap. It is an estimate otherwise: with layers
+// that overlap, samples in the overlap count as in front for the layer behind, and lit receivers there darken.
+#ifndef LVSM_BRACKET_HPP
+#define LVSM_BRACKET_HPP
+
+#include "layers.hpp"
+
+namespace lvsm
+{
+
+/// Moments of the union of two neighbouring layers that do not overlap, from the moments of the two.
+/// moments: of the layer in front, filtered. next: of the layer behind it. length, nextLength: of the two in depth,
+/// in [0,1], clamped to it. Result: (M1, M2) of the layer that covers both, each in [0,1].
+/// Degenerate: two empty layers give moments.
+/// Source: the warp of the union is (length phi + nextLength phiNext) / (length + nextLength), and phiNext > 0 implies
+/// phi = 1, so that E[phi phiNext] = E[phiNext].
+template <typename T, glm::qualifier Q>
+glm::vec<2, T, Q> mergeLayers(const glm::vec<2, T, Q>& moments, const glm::vec<2, T, Q>& next, T length, T nextLength)
+{
+    const T a = detail::clamp(length, T(0), T(1));
+    const T b = detail::clamp(nextLength, T(0), T(1));
+    const T sum = a + b;
+    const T behind = sum < kTiny<T> ? T(0) : detail::min(T(1), b / sum);
+    const T inFront = T(1) - behind;
+    const T m1 = inFront * moments.x + behind * next.x;
+    const T m2 = inFront * inFront * moments.y + behind * (behind * next.y + (T(2) * inFront) * next.x);
+    return {detail::clamp(m1, T(0), T(1)), detail::clamp(m2, T(0), T(1))};
+}
+
+/// Layer moments in the basis that suits few bits: the mean and four times the mean of x (1 - x).
+/// moments: (M1, M2) of a layer. Result: (M1, 4 (M1 - M2)), each in [0,1] and filtered as linearly as the moments.
+/// A layer that is all in front or all behind is an exact code of any unorm format, and a texel without any surface
+/// stores (1, 0).
+template <typename T, glm::qualifier Q>
+glm::vec<2, T, Q> compactMoments(const glm::vec<2, T, Q>& moments)
+{
+    const T m1 = detail::clamp(moments.x, T(0), T(1));
+    const T m2 = detail::clamp(moments.y, T(0), T(1));
+    return {m1, detail::clamp(T(4) * (m1 - m2), T(0), T(1))};
+}
+
+/// Layer moments out of the basis that suits few bits.
+/// compact: as compactMoments made it, filtered, in [0,1], clamped to it. Result: (M1, M2), each in [0,1].
+template <typename T, glm::qualifier Q>
+glm::vec<2, T, Q> expandMoments(const glm::vec<2, T, Q>& compact)
+{
+    const T m1 = detail::clamp(compact.x, T(0), T(1));
+    return {m1, detail::max(T(0), m1 - T(0.25) * detail::clamp(compact.y, T(0), T(1)))};
+}
+
+namespace detail
+{
+
+// Share of a window whose depth is above 0, at least, for depths in [0,1]: E[x]^2 / E[x^2].
+// Multiplied in an order that makes any finite arguments safe.
+template <typename T>
+T shareAboveZero(T m1, T m2)
+{
+    return clamp(m1 * (m1 / clamp(m2, kTiny<T>, kHuge<T>)), T(0), T(1));
+}
+
+// A mass that has the sums of moments (m1, m2), and of it the most that can be at t or farther: chebyshevUpperBound of
+// its mean moments, times the mass, without dividing by the mass.
+template <typename T>
+T chebyshevMass(T mass, T m1, T m2, T t, T minVariance)
+{
+    const T v = max(mass * minVariance, mass * m2 - m1 * m1);
+    const T d = mass * t - m1;
+    const T tail = clamp(v / max(kTiny<T>, v + d * d), T(0), T(1));
+    return d > T(0) ? mass * tail : mass;
+}
+
+} // namespace detail
+
+/// A layer's filter window in three parts: in front of the layer, behind it, and what is left.
+/// front: moments of the layer in front of it, (1, 1) for the first layer. moments: of the layer.
+/// behind: moments of the layer behind it, (0, 0) for the last layer. All filtered over one window.
+/// Result: (share behind, share left, M1 left, M2 left), each in [0,1]. The share in front is 1 less the first two; the
+/// moments left are sums: divided by the share left they are what any bound on the layer's warp takes.
+/// The visibility is then at most share behind + share left * bound(moments left / share left).
+/// Exact where the samples in front share one depth in the neighbour or lie in front of it, and those behind likewise.
+/// Source: chebyshevUpperBound(front, 1) and chebyshevLowerBound(behind, 0), LVSM equation 3.
+template <typename T, glm::qualifier Q>
+glm::vec<4, T, Q> bracketMoments(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& moments,
+                                 const glm::vec<2, T, Q>& behind)
+{
+    const T m1 = detail::clamp(moments.x, T(0), T(1));
+    const T m2 = detail::clamp(moments.y, T(0), m1);
+    const T a = T(1) - detail::clamp(front.x, T(0), T(1));
+    const T second = detail::clamp(front.y, T(0), T(1)) - T(1) + T(2) * a;
+    const T shareInFront = detail::min(T(1) - m1, detail::shareAboveZero(a, detail::max(a * a, second)));
+    const T shareBehind = detail::min(m2, detail::shareAboveZero(detail::clamp(behind.x, T(0), T(1)), behind.y));
+    return {shareBehind, detail::max(T(0), T(1) - shareInFront - shareBehind), m1 - shareBehind, m2 - shareBehind};
+}
+
+/// Visibility of a receiver from the moments of its layer and of the two neighbours.
+/// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
+/// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0.
+/// Result in [0,1], never above layeredVisibility; an upper bound on the lit share of the window for layers without
+/// overlap.
+/// Source: bracketMoments, and chebyshevUpperBound for what is left in the layer.
+template <typename T, glm::qualifier Q, glm::qualifier QI>
+T bracketedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& moments,
+                      const glm::vec<2, T, Q>& behind, T depth, const glm::vec<2, T, QI>& interval, T minVariance)
+{
+    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind);
+    const T t = layerWarp(depth, interval);
+    const T share = detail::chebyshevMass(left.y, left.z, left.w, t, layerMinVariance(minVariance, interval));
+    return detail::clamp(left.x + share, T(0), T(1));
+}
+
+/// Visibility of a receiver from the moments of its layer and of the two neighbours, by the bound for depths in [0,1].
+/// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
+/// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0.
+/// Result in [0,1], never above bracketedVisibility; an upper bound on the lit share of the window for layers without
+/// overlap.
+/// Source: bracketMoments, and boundedUpperBound for what is left in the layer.
+template <typename T, glm::qualifier Q, glm::qualifier QI>
+T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& moments,
+                             const glm::vec<2, T, Q>& behind, T depth, const glm::vec<2, T, QI>& interval,
+                             T minVariance)
+{
+    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind);
+    const T t = layerWarp(depth, interval);
+    const T floor = layerMinVariance(minVariance, interval);
+    const T tail = detail::chebyshevMass(left.y, left.z, left.w, t, floor);
+    const T inverse = T(1) / detail::max(kTiny<T>, t);
+    const T parabolas = (detail::min(left.z, left.z * t + (left.z - left.w)) + T(2.25) * floor * inverse) * inverse;
+    const T share = t > T(0) ? detail::min(tail, parabolas) : left.y;
+    return detail::clamp(left.x + share, T(0), T(1));
+}
+
+/// Visibility of a receiver from the one texel that holds both of two layers: bracketedVisibility with few operations.
+/// texel: as packLayers made it, filtered. depth: the receiver's, in [0,1]. split: between the two layers, in [0,1].
+/// minVariance: the global floor in depth squared, >= 0. Both layers are without overlap.
+/// Result in [0,1], an upper bound on the lit share of the window.
+/// Source: bracketedVisibility for the layer that holds the receiver, both sides multiplied by the layer's length.
+template <typename T, glm::qualifier Q>
+T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVariance)
+{
+    // From the far end of the range the layer in front is what the layer behind is from the near end, so that one
+    // division serves both: the share of the other layer that is off the end they have in common.
+    const bool isBehind = depth >= split;
+    const T middle = detail::clamp(split, T(0), T(1));
+    const T begin = isBehind ? middle : T(0);
+    const T extent = isBehind ? T(1) - middle : middle;
+    const T m1 = isBehind ? texel.z : texel.x;
+    const T m2 = isBehind ? texel.w : texel.y;
+    const T other1 = isBehind ? T(1) - texel.x : texel.z;
+    const T other2 = isBehind ? texel.y - T(1) + T(2) * other1 : texel.w;
+    const T share = detail::shareAboveZero(other1, other2);
+    const T lit = isBehind ? T(0) : share;
+    const T left = T(1) - share;
+    const T left1 = extent * (m1 - lit);
+    const T left2 = extent * extent * (m2 - lit);
+    const T v = detail::max(left * detail::max(T(0), minVariance), left * left2 - left1 * left1);
+    const T d = left * (detail::clamp(depth, T(0), T(1)) - begin) - left1;
+    const T tail = v / detail::max(kTiny<T>, v + d * d);
+    return detail::clamp(lit + left * (d > T(0) ? tail : T(1)), T(0), T(1));
+}
+
+/// Visibility of a receiver from the union of two neighbouring layers: what to blend to near the split between them.
+/// moments: of the layer in front, filtered. next: of the layer behind it. depth: the receiver's, in [0,1].
+/// begin, split, end: of the two layers, which do not overlap. minVariance: the global floor in depth squared, >= 0.
+/// Result in [0,1], an upper bound on the lit share of the window; both layers see the same one, so that
+/// blendTransition(visibility, mergedVisibility, 2 transitionWeight) is continuous across the split.
+/// Source: mergeLayers and layeredVisibility.
+template <typename T, glm::qualifier Q>
+T mergedVisibility(const glm::vec<2, T, Q>& moments, const glm::vec<2, T, Q>& next, T depth, T begin, T split, T end,
+                   T minVariance)
+{
+    return layeredVisibility(mergeLayers(moments, next, split - begin, end - split), depth,
+                             glm::vec<2, T, Q>(begin, end), minVariance);
+}
+
+} // namespace lvsm
+
+#endif
