@@ -9,7 +9,8 @@
 #define LVSM_MAX_LAYERS 8
 #endif
 
-// Keeps M2 - M1^2, the one cancelling difference, from being reassociated or contracted. May be defined empty.
+// Keeps M2 - M1^2, which cancels, and sums that could overflow from being reassociated or contracted. A client may
+// define it empty: sums of values in their documented range come out the same.
 #ifndef LVSM_PRECISE
 #if defined(GL_ES)
 #if __VERSION__ >= 320

@@ -27,7 +27,8 @@ vec2 lvsm_neighbourhoodTexCoord(ivec2 texel, ivec2 size)
 /// Source: LVSM section 5.
 vec2 lvsm_neighbourhoodMoments(vec2 m00, vec2 m10, vec2 m01, vec2 m11)
 {
-    return 0.25 * m00 + 0.25 * m10 + 0.25 * m01 + 0.25 * m11;
+    LVSM_PRECISE vec2 average = 0.25 * m00 + 0.25 * m10 + 0.25 * m01 + 0.25 * m11;
+    return average;
 }
 
 /// Depth of the second occluder of a neighbourhood: the mean plus the standard deviation.
@@ -159,7 +160,7 @@ void lvsm_teleportSplits(inout float splits[LVSM_MAX_LAYERS + 1], float weights[
         return;
 
     int inFront = behind - 1 == empty ? behind - 2 : behind - 1;
-    float middle = 0.5 * splits[inFront] + 0.5 * splits[behind];
+    float middle = 0.5 * (clamp(splits[inFront], 0.0, 1.0) + clamp(splits[behind], 0.0, 1.0));
     for (int k = 1; k < LVSM_MAX_LAYERS - 1; ++k)
     {
         if (k >= empty && k < inFront)

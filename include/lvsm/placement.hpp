@@ -152,6 +152,8 @@ namespace detail
 template <typename T, typename WeightOf>
 bool teleport(T* splits, int layerCount, const WeightOf& weightOf)
 {
+    if (layerCount < 3)
+        return false;
     int empty = 0;
     for (int i = layerCount - 1; i > 0; --i)
         empty = weightOf(i) < kTiny<T> ? i : empty;
@@ -177,7 +179,8 @@ bool teleport(T* splits, int layerCount, const WeightOf& weightOf)
         return false;
 
     const int inFront = behind - 1 == empty ? behind - 2 : behind - 1;
-    const T middle = T(0.5) * splits[inFront] + T(0.5) * splits[behind];
+    const T middle =
+        T(0.5) * (clamp(splits[inFront], T(0), T(1)) + clamp(splits[behind], T(0), T(1)));
     for (int k = empty; k < inFront; ++k)
         splits[k] = splits[k + 1];
     for (int m = empty; m > behind; --m)

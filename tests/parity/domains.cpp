@@ -1,0 +1,322 @@
+#include "domains.hpp"
+
+#include <lvsm/exponential.hpp>
+#include <lvsm/layers.hpp>
+#include <lvsm/placement.hpp>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace parity
+{
+namespace
+{
+
+enum class Scale
+{
+    Linear,
+    Logarithmic,
+    Integer
+};
+
+// The values that one word of an input takes.
+struct Slot
+{
+    std::vector<double> edges;
+    double lo;
+    double hi;
+    Scale scale = Scale::Linear;
+};
+
+// relate gives the words values that depend on each other, such as the moments of a distribution.
+struct Domain
+{
+    std::vector<Slot> slots;
+    void (*relate)(double* words) = nullptr;
+};
+
+const double kSubnormal = 1.0e-40;
+const double kTiny = static_cast<double>(FLT_MIN);
+const double kBelowOne = 1.0 - std::ldexp(1.0, -24);
+
+Slot depth()
+{
+    return {{0.0, 1.0, 0.5, kSubnormal, kTiny, 2.0 * kTiny, 1.0e-7, kBelowOne, -0.5, 1.5}, 0.0, 1.0};
+}
+
+Slot share()
+{
+    return {{0.0, 1.0, 0.5, 1.0e-7, kBelowOne}, 0.0, 1.0};
+}
+
+Slot difference()
+{
+    return {{0.0, kSubnormal, -kSubnormal, 1.0e-7, -1.0e-7, 1.0e-3}, -1.0, 1.0};
+}
+
+Slot smallVariance()
+{
+    return {{0.0, kSubnormal, kTiny, 1.0e-7, 1.0e-5, 0.25}, 1.0e-9, 0.1, Scale::Logarithmic};
+}
+
+Slot integers(std::vector<double> edges, double lo, double hi)
+{
+    return {std::move(edges), lo, hi, Scale::Integer};
+}
+
+// The first moment stays, the second becomes that of a distribution with a share of the largest variance.
+void momentsFromShare(double* moments)
+{
+    const float m1 = static_cast<float>(moments[0]);
+    const float largest = std::max(m1 - m1 * m1, 0.0f);
+    moments[1] = static_cast<double>(m1 * m1 + static_cast<float>(moments[1]) * largest);
+}
+
+// Moments of the two warps of two depths, mixed as a filter mixes them.
+void exponentialMomentsOfTwo(double* words)
+{
+    const auto warp = [words](double depth, int which) {
+        const double c = std::clamp(words[1 + which], 0.0, 44.3614);
+        return which == 0 ? std::exp(c * (2.0 * depth - 1.0)) : -std::exp(-c * (2.0 * depth - 1.0));
+    };
+    const double front = words[4];
+    const double back = words[5];
+    const double alpha = words[6];
+    for (int which = 0; which < 2; ++which)
+    {
+        const double a = warp(front, which);
+        const double b = warp(back, which);
+        words[4 + 2 * which] = alpha * a + (1.0 - alpha) * b;
+        words[5 + 2 * which] = alpha * a * a + (1.0 - alpha) * b * b;
+    }
+}
+
+void sortSplits(double* words)
+{
+    std::sort(words + 1, words + 8);
+    const int count = std::clamp(static_cast<int>(words[19]), 1, 8);
+    words[0] = 0.0;
+    words[count] = 1.0;
+}
+
+const std::map<std::string, Domain>& domains()
+{
+    static const std::map<std::string, Domain> all = {
+        {"depths", {{depth()}, nullptr}},
+        {"ramp",
+         {{depth(), depth(), {{0.0, kSubnormal, kTiny, 1.0e-7, 0.1, 1.0, -0.25}, 0.0, 1.0}},
+          [](double* words) { words[2] += words[1]; }}},
+        {"lightDistance",
+         {{{{0.0, 1.0, -3.0}, -10.0, 10.0}, {{0.0, 1.0}, -10.0, 10.0}, {{0.0, 5.0}, -10.0, 10.0},
+           {{0.0, 1.0}, -10.0, 10.0}, {{0.0, 1.0}, -10.0, 10.0}, {{0.0, 5.0}, -10.0, 10.0},
+           {{0.0, 0.1}, 0.0, 5.0}, {{0.0, 0.1, 20.0}, 1.0, 50.0},
+           {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0}, -1.0, 1.0}, {{0.0, 1.0}, -1.0, 1.0}},
+          [](double* words) {
+              const double length = std::sqrt(words[8] * words[8] + words[9] * words[9] + words[10] * words[10]);
+              for (int i = 8; i < 11 && length > 0.0; ++i)
+                  words[i] /= length;
+          }}},
+        {"projection",
+         {{depth(), {{0.0, 0.1, 1.0, -1.0, kTiny}, 1.0e-3, 1.0e3, Scale::Logarithmic},
+           {{0.0, 0.1, 1.0, 1.0e6}, 1.0e-1, 1.0e5, Scale::Logarithmic}},
+          nullptr}},
+        {"slopedDepth",
+         {{depth(), {{0.0, kSubnormal, 0.5, -1.0e-4}, -0.1, 0.1}, {{0.0, 2.0, 1.0e-4}, -0.1, 0.1}}, nullptr}},
+        // 0, 1 moments; 2 a receiver near the mean or anywhere; 3, 4 variance limits.
+        {"momentsAndReceiver",
+         {{depth(), share(), difference(), smallVariance(), {{0.0, 0.25, -1.0}, 1.0e-6, 0.25, Scale::Logarithmic}},
+          [](double* words) {
+              momentsFromShare(words);
+              words[2] += words[0];
+          }}},
+        {"visibilities",
+         {{{{0.0, 1.0, 0.5, kBelowOne}, 0.0, 1.0}, {{0.0, 1.0, 0.2, -1.0, 2.0}, 0.0, 1.0},
+           {{0.0, 0.5, -0.5, 1.0, 2.0, kSubnormal}, -0.5, 0.5}},
+          nullptr}},
+        {"roundings",
+         {{{{0.0, 1.0, kSubnormal, 7.62951094e-6}, 1.0e-8, 1.0e-2, Scale::Logarithmic},
+           {{0.0, 1.0, -1.0, 2.0, 0.01}, 1.0e-4, 0.5, Scale::Logarithmic}},
+          nullptr}},
+        // 0 depth; 1, 2 interval; 3 overlap or width; 4 minVariance; 5, 6 moments of the layer.
+        {"layer",
+         {{depth(), depth(), {{0.0, kSubnormal, kTiny, 1.0e-3, 1.0, -0.25}, 0.0, 0.5},
+           {{0.0, 0.01, 1.0, -0.1, kSubnormal}, 0.0, 0.1}, smallVariance(), depth(), share()},
+          [](double* words) {
+              words[2] += words[1];
+              momentsFromShare(words + 5);
+          }}},
+        // 0 depth; 1 index; 2 layers. Depths on the split of that index, and next to it, are among the first.
+        {"uniformLayers",
+         {{{{0.0, 1.0, -1.0, 2.0, -2.0}, -3.0, 3.0},
+           integers({0.0, 1.0, 2.0, 3.0, 7.0, 64.0, -1.0}, 0.0, 70.0),
+           integers({1.0, 2.0, 3.0, 4.0, 7.0, 49.0, 64.0, 65536.0, 0.0, -5.0}, 1.0, 64.0)},
+          [](double* words) {
+              const float split = lvsm::uniformSplit(static_cast<int>(words[1]), static_cast<int>(words[2]));
+              const float towards = words[0] < 0.0 ? -1.0f : 2.0f;
+              const float besides = std::nextafter(split, towards);
+              words[0] = std::abs(words[0]) < 1.0 ? static_cast<double>(split)
+                         : std::abs(words[0]) < 2.0 ? static_cast<double>(besides)
+                                                    : std::abs(words[0]) - 2.0;
+          }}},
+        // 0 to 8 splits; 9 to 17 weights; 18 a depth; 19 layers.
+        {"placedSplits",
+         {{{{0.0}, 0.0, 1.0}, {{0.0, 0.5}, 0.0, 1.0}, {{0.5, kSubnormal}, 0.0, 1.0}, {{0.5, 0.25}, 0.0, 1.0},
+           {{0.5}, 0.0, 1.0}, {{0.5, 1.0}, 0.0, 1.0}, {{0.75}, 0.0, 1.0}, {{1.0, 0.0}, 0.0, 1.0}, {{1.0}, 1.0, 1.0},
+           {{0.0}, 0.0, 1.0}, {{0.0, 1.0}, 0.0, 1.0}, {{0.0, 2.0}, 0.0, 1.0}, {{0.0, 1.0, -1.0}, 0.0, 1.0},
+           {{0.0, 1.0}, 0.0, 1.0}, {{0.0, 1.0}, 0.0, 1.0}, {{0.0, 3.0}, 0.0, 1.0}, {{0.0, 1.0}, 0.0, 1.0},
+           {{0.0}, 0.0, 1.0}, depth(), integers({1.0, 2.0, 3.0, 8.0, 0.0, -1.0}, 1.0, 8.0)},
+          sortSplits}},
+        {"packedLayers",
+         {{depth(), share(), depth(), share(), integers({0.0, 1.0, 2.0, 7.0, -1.0, -2.0}, 0.0, 8.0)}, nullptr}},
+        // 0 depth; 1, 2 exponents; 3 minVariance; 4 to 7 moments, from two depths and their shares.
+        {"exponentialDepth",
+         {{depth(), {{0.0, 5.54, 42.0, 44.3614, 50.0, -1.0}, 0.0, 42.0}, {{0.0, 5.54, 10.0, 44.3614, 1.0e9}, 0.0, 20.0},
+           smallVariance(), {{0.0, 1.0, 0.5}, 0.0, 1.0}, {{0.0, 1.0, 0.5}, 0.0, 1.0}, share(), {{0.0}, 0.0, 1.0}},
+          exponentialMomentsOfTwo}},
+        {"formats",
+         {{{{65504.0, static_cast<double>(FLT_MAX), 1.0, 0.0, -5.0, 2.0}, 1.0, 1.0e38, Scale::Logarithmic},
+           {{1.0, 0.0, 9.0, 81.0, -1.0, 1.0e38}, 1.0, 1.0e3, Scale::Logarithmic}},
+          nullptr}},
+        {"texels",
+         {{integers({0.0, 1.0, 1023.0, -1.0, 5000.0}, 0.0, 4096.0), integers({0.0, 1.0, 1023.0, -1.0}, 0.0, 4096.0),
+           integers({1.0, 2.0, 1024.0, 0.0, -3.0}, 1.0, 4096.0), integers({1.0, 2.0, 1024.0, 0.0}, 1.0, 4096.0)},
+          nullptr}},
+        {"neighbourhood",
+         {{depth(), share(), depth(), share(), depth(), share(), depth(), share()},
+          [](double* words) {
+              for (int i = 0; i < 8; i += 2)
+                  momentsFromShare(words + i);
+          }}},
+        // 0 value or split; 1 weight or weighted sum; 2 to 4 splits; 5 sum of weights.
+        {"contributions",
+         {{depth(), {{0.0, 0.25, kSubnormal}, 0.0, 0.25}, integers({0.0, 1.0, 7.0}, 1.0, 7.0),
+           integers({1.0, 2.0}, 1.0, 7.0), integers({1.0, 7.0}, 1.0, 7.0),
+           {{0.0, kSubnormal, kTiny, 1.0, -1.0}, 0.1, 1.0}},
+          nullptr}},
+        {"frames",
+         {{integers({0.0, 1.0, -1.0, 2147483647.0}, 0.0, 100000.0),
+           integers({1.0, 2.0, 3.0, 8.0, 0.0, -7.0, 70000.0}, 1.0, 16.0)},
+          nullptr}},
+    };
+    return all;
+}
+
+std::uint32_t bitsOf(float value)
+{
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+std::uint32_t encode(double value, Scale scale)
+{
+    if (scale == Scale::Integer)
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
+    return bitsOf(static_cast<float>(value));
+}
+
+// A number in [0,1) that depends on two counters only.
+double hashed(std::uint32_t index, std::uint32_t word)
+{
+    std::uint64_t x = (static_cast<std::uint64_t>(index) << 32 | word) + 0x9E3779B97F4A7C15u;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return static_cast<double>((x ^ (x >> 31)) >> 11) * std::ldexp(1.0, -53);
+}
+
+// Additive recurrence with the square root of a prime for each word: low discrepancy in every word and pair of words.
+double lowDiscrepancy(int index, int word)
+{
+    static const int primes[kWords] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37,
+                                       41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89};
+    const double x = (index + 0.5) * std::sqrt(static_cast<double>(primes[word]));
+    return x - std::floor(x);
+}
+
+double between(const Slot& slot, double u)
+{
+    if (slot.scale == Scale::Logarithmic)
+        return slot.lo * std::pow(slot.hi / slot.lo, u);
+    const double value = slot.lo + (slot.hi - slot.lo) * u;
+    return slot.scale == Scale::Integer ? std::floor(value + 0.5) : value;
+}
+
+double edge(const Slot& slot, double u)
+{
+    return slot.edges[static_cast<std::size_t>(u * static_cast<double>(slot.edges.size()))];
+}
+
+// The combination of edges that index numbers.
+double edgeOfCombination(const Domain& domain, int index, int word)
+{
+    std::size_t rest = static_cast<std::size_t>(index);
+    for (int i = 0; i < word; ++i)
+        rest /= domain.slots[static_cast<std::size_t>(i)].edges.size();
+    const Slot& slot = domain.slots[static_cast<std::size_t>(word)];
+    return slot.edges[rest % slot.edges.size()];
+}
+
+} // namespace
+
+std::vector<Words> domainInputs(const std::string& name)
+{
+    const auto found = domains().find(name);
+    if (found == domains().end())
+        return {};
+    const Domain& domain = found->second;
+    const int used = static_cast<int>(domain.slots.size());
+    double combinations = 1.0;
+    for (const Slot& slot : domain.slots)
+        combinations *= static_cast<double>(slot.edges.size());
+    const bool all = combinations <= kInputs / 2;
+    const int edgeInputs = all ? static_cast<int>(combinations) : kInputs / 4;
+
+    std::vector<Words> inputs(kInputs, Words{});
+    for (int i = 0; i < kInputs; ++i)
+    {
+        const std::uint32_t index = static_cast<std::uint32_t>(i);
+        double values[kWords] = {};
+        for (int word = 0; word < used; ++word)
+        {
+            const Slot& slot = domain.slots[static_cast<std::size_t>(word)];
+            const double u = hashed(index, static_cast<std::uint32_t>(word));
+            if (i < edgeInputs)
+                values[word] = all ? edgeOfCombination(domain, i, word) : edge(slot, u);
+            else if (u < 0.125)
+                values[word] = edge(slot, 8.0 * u);
+            else
+                values[word] = between(slot, lowDiscrepancy(i, word));
+        }
+        if (domain.relate != nullptr)
+            domain.relate(values);
+        for (int word = 0; word < used; ++word)
+            inputs[index][static_cast<std::size_t>(word)] =
+                encode(values[word], domain.slots[static_cast<std::size_t>(word)].scale);
+    }
+    return inputs;
+}
+
+std::vector<Words> hostileInputs()
+{
+    const float extremes[] = {0.0f,     -0.0f, FLT_MAX, -FLT_MAX, FLT_MIN, -FLT_MIN, 1.0e-45f, -1.0e-45f,
+                              1.0e-40f, 1.0f,  -1.0f,   0.5f,     1.0e19f, -1.0e19f, 2.0e38f,  1.0e-20f};
+    std::vector<Words> inputs(kInputs);
+    for (std::uint32_t i = 0; i < kInputs; ++i)
+    {
+        for (std::uint32_t word = 0; word < kWords; ++word)
+        {
+            std::uint32_t bits = static_cast<std::uint32_t>(hashed(i, 2 * word) * 4294967296.0);
+            const bool finite = (bits & 0x7F800000u) != 0x7F800000u;
+            const double pick = hashed(i, 2 * word + 1);
+            if (pick < 0.25)
+                bits = bitsOf(extremes[static_cast<int>(pick * 64.0)]);
+            inputs[i][word] = pick < 0.25 || finite ? bits : bits & ~0x40000000u;
+        }
+    }
+    return inputs;
+}
+
+} // namespace parity

@@ -1,0 +1,133 @@
+#include "judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace parity
+{
+namespace
+{
+
+constexpr int kOutcomeLimit = 512;
+
+// Results under the smallest normal number may be flushed, wherever they come from.
+bool isWithin(double answer, const Allowed& allowed)
+{
+    const double tiny = lvsm::kTiny<double>;
+    return answer >= allowed.lo - tiny && answer <= allowed.hi + tiny;
+}
+
+} // namespace
+
+Judge::Judge(const Row& row) : m_row(row), m_components(componentCount(row.kind))
+{
+    for (const Words& words : domainInputs(row.domain))
+        m_inputs.push_back({words, false});
+    for (const Input& input : m_inputs)
+        allow(input.words);
+    for (const Words& words : hostileInputs())
+        m_inputs.push_back({words, true});
+}
+
+void Judge::allow(const Words& words)
+{
+    const Result<double> expected = m_row.inDouble(words);
+    Result<double> lo = expected;
+    Result<double> hi = expected;
+    const bool followed = enumerateOutcomes(kOutcomeLimit, [&] {
+        const Result<Interval> result = m_row.inInterval(words);
+        for (std::size_t c = 0; c < result.size(); ++c)
+        {
+            lo[c] = std::min(lo[c], result[c].lo());
+            hi[c] = std::max(hi[c], result[c].hi());
+        }
+    });
+    m_undecided += followed ? 0 : 1;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(m_components); ++c)
+    {
+        const double infinity = std::numeric_limits<double>::infinity();
+        m_allowed.push_back(followed ? Allowed{expected[c], lo[c], hi[c]} : Allowed{expected[c], -infinity, infinity});
+    }
+}
+
+std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
+{
+    std::vector<Verdict> verdicts(2);
+    verdicts[0].domain = m_row.domain;
+    verdicts[1].domain = "hostile";
+    std::vector<double> tolerances;
+    double worst = -1.0;
+    const std::size_t components = static_cast<std::size_t>(m_components);
+    for (std::size_t i = 0; i < m_inputs.size(); ++i)
+    {
+        Verdict& verdict = verdicts[m_inputs[i].hostile ? 1 : 0];
+        ++verdict.inputs;
+        for (std::size_t c = 0; c < components; ++c)
+        {
+            const double answer = static_cast<double>(results[i * kResults + c]);
+            const bool finite = std::isfinite(answer);
+            bool accepted = finite && answer >= m_row.low && answer <= m_row.high;
+            verdict.nonFinite += finite ? 0 : 1;
+            if (m_inputs[i].hostile)
+            {
+                const double excess = std::max(m_row.low - answer, answer - m_row.high);
+                if (!accepted && (excess > verdict.worstError || verdict.outside == 0))
+                {
+                    verdict.worstError = excess;
+                    verdict.worstInput = i;
+                    verdict.expected = answer < m_row.low ? m_row.low : m_row.high;
+                    verdict.answered = answer;
+                }
+            }
+            else
+            {
+                const Allowed& allowed = m_allowed[i * components + c];
+                accepted = accepted && isWithin(answer, allowed);
+                const double error = std::abs(answer - allowed.expected);
+                const double tolerance = answer < allowed.expected ? allowed.expected - allowed.lo
+                                                                   : allowed.hi - allowed.expected;
+                tolerances.push_back(std::min(tolerance, m_row.high - m_row.low));
+                const double badness = accepted ? error : HUGE_VAL;
+                if (badness > worst)
+                {
+                    worst = badness;
+                    verdict.worstError = error;
+                    verdict.tolerance = std::min(tolerance, m_row.high - m_row.low);
+                    verdict.worstInput = i;
+                    verdict.expected = allowed.expected;
+                    verdict.answered = answer;
+                }
+            }
+            verdict.outside += accepted ? 0 : 1;
+        }
+    }
+    std::nth_element(tolerances.begin(), tolerances.begin() + static_cast<std::ptrdiff_t>(tolerances.size() / 2),
+                     tolerances.end());
+    verdicts[0].medianTolerance = tolerances[tolerances.size() / 2];
+    return verdicts;
+}
+
+std::string describeInput(const Words& words)
+{
+    std::size_t used = words.size();
+    while (used > 1 && words[used - 1] == 0)
+        --used;
+    std::ostringstream text;
+    text.precision(9);
+    for (std::size_t i = 0; i < used; ++i)
+    {
+        float value;
+        std::memcpy(&value, &words[i], sizeof value);
+        const std::int32_t integer = static_cast<std::int32_t>(words[i]);
+        text << (i == 0 ? "" : " ");
+        if (std::abs(integer) < 1000000 && integer != 0)
+            text << integer << 'i';
+        else
+            text << value;
+    }
+    return text.str();
+}
+
+} // namespace parity
