@@ -2,11 +2,13 @@
 //
 // The layers are contiguous, without overlap: a depth behind the split between two layers warps to 1 in the one in
 // front of it, and a depth in front of the split to 0 in the one behind. So the moments of the layer in front bound how
-// much of the window is in front of this layer, those of the layer behind how much is behind it, and neighbours' moments
-// add up to those of their union. The share in front is dark, the share behind is lit, and only what is left needs a
-// bound of its own. Each result is an upper bound on the lit share of the window, like the bound it is made of, where
-// the moments are exact, come from one window, and the layers do not overlap. It is an estimate otherwise: with layers
-// that overlap, samples in the overlap count as in front for the layer behind, and lit receivers there darken.
+// much of the window is in front of this layer, those of the layer behind how much is behind it, and the moments of
+// neighbours add up to those of their union. The share in front is dark, the share behind is lit, and only what is left
+// needs a bound of its own.
+//
+// The visibility is an upper bound on the lit share of the window, as the bound that it is made of is, where the
+// moments are exact, come from one window, and layers do not overlap. It is an estimate otherwise: for a layer that
+// overlaps the one in front, samples in the overlap count as in front, and lit receivers there darken.
 #ifndef LVSM_BRACKET_HPP
 #define LVSM_BRACKET_HPP
 
@@ -58,12 +60,13 @@ glm::vec<2, T, Q> expandMoments(const glm::vec<2, T, Q>& compact)
 namespace detail
 {
 
-// Share of a window whose depth is above 0, at least, for depths in [0,1]: E[x]^2 / E[x^2].
-// Multiplied in an order that makes any finite arguments safe.
+// Share of a window whose depth is above 0, at least, for depths in [0,1] with a floor of their variance:
+// 1 - v / (v + m1^2). Multiplied in an order that makes any finite arguments safe.
 template <typename T>
-T shareAboveZero(T m1, T m2)
+T shareAboveZero(T m1, T m2, T minVariance)
 {
-    return clamp(m1 * (m1 / clamp(m2, kTiny<T>, kHuge<T>)), T(0), T(1));
+    const T second = max(m2, m1 * m1 + minVariance);
+    return clamp(m1 * (m1 / clamp(second, kTiny<T>, kHuge<T>)), T(0), T(1));
 }
 
 // A mass that has the sums of moments (m1, m2), and of it the most that can be at t or farther: chebyshevUpperBound of
@@ -82,6 +85,7 @@ T chebyshevMass(T mass, T m1, T m2, T t, T minVariance)
 /// A layer's filter window in three parts: in front of the layer, behind it, and what is left.
 /// front: moments of the layer in front of it, (1, 1) for the first layer. moments: of the layer.
 /// behind: moments of the layer behind it, (0, 0) for the last layer. All filtered over one window.
+/// minVariance: floor of the neighbours' variance in their warp, >= 0, less counts as 0.
 /// Result: (share behind, share left, M1 left, M2 left), each in [0,1]. The share in front is 1 less the first two; the
 /// moments left are sums: divided by the share left they are what any bound on the layer's warp takes.
 /// The visibility is then at most share behind + share left * bound(moments left / share left).
@@ -89,37 +93,41 @@ T chebyshevMass(T mass, T m1, T m2, T t, T minVariance)
 /// Source: chebyshevUpperBound(front, 1) and chebyshevLowerBound(behind, 0), LVSM equation 3.
 template <typename T, glm::qualifier Q>
 glm::vec<4, T, Q> bracketMoments(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& moments,
-                                 const glm::vec<2, T, Q>& behind)
+                                 const glm::vec<2, T, Q>& behind, T minVariance)
 {
+    const T floor = detail::clamp(minVariance, T(0), T(1));
     const T m1 = detail::clamp(moments.x, T(0), T(1));
     const T m2 = detail::clamp(moments.y, T(0), m1);
     const T a = T(1) - detail::clamp(front.x, T(0), T(1));
     const T second = detail::clamp(front.y, T(0), T(1)) - T(1) + T(2) * a;
-    const T shareInFront = detail::min(T(1) - m1, detail::shareAboveZero(a, detail::max(a * a, second)));
-    const T shareBehind = detail::min(m2, detail::shareAboveZero(detail::clamp(behind.x, T(0), T(1)), behind.y));
+    const T shareInFront = detail::min(T(1) - m1, detail::shareAboveZero(a, second, floor));
+    const T shareBehind =
+        detail::min(m2, detail::shareAboveZero(detail::clamp(behind.x, T(0), T(1)), behind.y, floor));
     return {shareBehind, detail::max(T(0), T(1) - shareInFront - shareBehind), m1 - shareBehind, m2 - shareBehind};
 }
 
 /// Visibility of a receiver from the moments of its layer and of the two neighbours.
 /// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
-/// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], never above layeredVisibility; an upper bound on the lit share of the window for layers without
-/// overlap.
+/// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0; the neighbours' warps are
+/// taken to be as steep as the layer's.
+/// Result in [0,1]; an upper bound on the lit share of the window where layers do not overlap. Without a floor never
+/// above layeredVisibility.
 /// Source: bracketMoments, and chebyshevUpperBound for what is left in the layer.
 template <typename T, glm::qualifier Q, glm::qualifier QI>
 T bracketedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& moments,
                       const glm::vec<2, T, Q>& behind, T depth, const glm::vec<2, T, QI>& interval, T minVariance)
 {
-    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind);
-    const T t = layerWarp(depth, interval);
-    const T share = detail::chebyshevMass(left.y, left.z, left.w, t, layerMinVariance(minVariance, interval));
+    const T floor = layerMinVariance(minVariance, interval);
+    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind, floor);
+    const T share = detail::chebyshevMass(left.y, left.z, left.w, layerWarp(depth, interval), floor);
     return detail::clamp(left.x + share, T(0), T(1));
 }
 
 /// Visibility of a receiver from the moments of its layer and of the two neighbours, by the bound for depths in [0,1].
 /// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
-/// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], never above bracketedVisibility; an upper bound on the lit share of the window for layers without
+/// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0; the neighbours' warps are
+/// taken to be as steep as the layer's.
+/// Result in [0,1], never above bracketedVisibility; an upper bound on the lit share of the window where layers do not
 /// overlap.
 /// Source: bracketMoments, and boundedUpperBound for what is left in the layer.
 template <typename T, glm::qualifier Q, glm::qualifier QI>
@@ -127,9 +135,9 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
                              const glm::vec<2, T, Q>& behind, T depth, const glm::vec<2, T, QI>& interval,
                              T minVariance)
 {
-    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind);
-    const T t = layerWarp(depth, interval);
     const T floor = layerMinVariance(minVariance, interval);
+    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind, floor);
+    const T t = layerWarp(depth, interval);
     const T tail = detail::chebyshevMass(left.y, left.z, left.w, t, floor);
     const T inverse = T(1) / detail::max(kTiny<T>, t);
     const T parabolas = (detail::min(left.z, left.z * t + (left.z - left.w)) + T(2.25) * floor * inverse) * inverse;
@@ -139,8 +147,8 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
 
 /// Visibility of a receiver from the one texel that holds both of two layers: bracketedVisibility with few operations.
 /// texel: as packLayers made it, filtered. depth: the receiver's, in [0,1]. split: between the two layers, in [0,1].
-/// minVariance: the global floor in depth squared, >= 0. Both layers are without overlap.
-/// Result in [0,1], an upper bound on the lit share of the window.
+/// minVariance: the global floor in depth squared, >= 0.
+/// Result in [0,1]; an upper bound on the lit share of the window where the layers do not overlap.
 /// Source: bracketedVisibility for the layer that holds the receiver, both sides multiplied by the layer's length.
 template <typename T, glm::qualifier Q>
 T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVariance)
@@ -155,12 +163,14 @@ T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVa
     const T m2 = isBehind ? texel.w : texel.y;
     const T other1 = isBehind ? T(1) - texel.x : texel.z;
     const T other2 = isBehind ? texel.y - T(1) + T(2) * other1 : texel.w;
-    const T share = detail::shareAboveZero(other1, other2);
+
+    const T squared = extent * extent;
+    const T floor = detail::clamp(minVariance, T(0), T(0.25) * squared);
+    const T share = detail::shareAboveZero(other1 * extent, other2 * squared, floor);
     const T lit = isBehind ? T(0) : share;
     const T left = T(1) - share;
     const T left1 = extent * (m1 - lit);
-    const T left2 = extent * extent * (m2 - lit);
-    const T v = detail::max(left * detail::max(T(0), minVariance), left * left2 - left1 * left1);
+    const T v = detail::max(left * floor, left * (squared * (m2 - lit)) - left1 * left1);
     const T d = left * (detail::clamp(depth, T(0), T(1)) - begin) - left1;
     const T tail = v / detail::max(kTiny<T>, v + d * d);
     return detail::clamp(lit + left * (d > T(0) ? tail : T(1)), T(0), T(1));

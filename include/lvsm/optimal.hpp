@@ -236,8 +236,8 @@ OptimalResult<T> placeOptimally(const double* weights, int binCount, T* splits, 
 {
     const CellCosts costs(weights, binCount, clamp(static_cast<double>(options.uniformShare), 0.0, 1.0));
     const int cells = min(layerCount, binCount);
-    const int leastBins =
-        clamp(static_cast<int>(clamp(static_cast<double>(options.minLength), 0.0, 1.0) * binCount), 1, binCount / cells);
+    const double leastLength = clamp(static_cast<double>(options.minLength), 0.0, 1.0);
+    const int leastBins = clamp(static_cast<int>(leastLength * binCount), 1, binCount / cells);
 
     int edges[kMaxOptimalLayers + 1];
     SplitProgramme(costs, binCount, cells, leastBins).edges(edges);
