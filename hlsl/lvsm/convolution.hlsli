@@ -3,8 +3,8 @@
 //
 // The test of t = z - d, 1 for t >= 0, is 1/2 + 2 sum of sin(c_k t) / c_k, with c_k = (2k - 1) pi for k = 1 to the
 // order. sin(c_k (z - d)) separates into sines and cosines of z, which are stored, four terms to a texel each, and
-// those of d. The series has period 2 and begins to fall to 1/2 again at both ends of [-1,1], so all depths are
-// shrunk here by the distance from a crest to its step, fourierOffset.
+// those of d. The series has period 2, and towards -1 and 1 it turns back to 1/2: depths are shrunk here by twice the
+// distance from a step to its crest, so that no two depths, with that offset between them, come so far apart.
 #ifndef LVSM_CONVOLUTION_HLSLI
 #define LVSM_CONVOLUTION_HLSLI
 
@@ -16,11 +16,11 @@ static const int LVSM_MAX_FOURIER_ORDER = 256;
 static const float LVSM_PI = 3.14159265;
 
 /// What a receiver is moved towards the light so that a lit surface is on the first crest of the series, not at 1/2.
-/// order: number of terms, from 1 to 256, clamped to it. Result in depth, in (0, 1/2]: 1 / (2 order), 0.031 for 16.
+/// order: number of terms, from 2 to 256, clamped to it. Result in depth, in (0, 1/4]: 1 / (2 order), 0.031 for 16.
 /// Source: the first zero of the derivative of the series, sin(2 order pi t) / sin(pi t).
 float lvsm_fourierOffset(int order)
 {
-    return 0.5 / float(clamp(order, 1, LVSM_MAX_FOURIER_ORDER));
+    return 0.5 / float(clamp(order, 2, LVSM_MAX_FOURIER_ORDER));
 }
 
 // The angles c_k of four terms times a depth, in [-pi, pi], where sines and cosines have their stated precision.
@@ -31,24 +31,30 @@ float4 lvsm_fourierAngles(float depth, int first)
     return LVSM_PI * (halfTurns - 2.0 * floor(0.5 * halfTurns + 0.5));
 }
 
+// Depth shrunk so that the series does not reach its next step.
+float lvsm_fourierDepth(float depth, int order)
+{
+    return (1.0 - 2.0 * lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0);
+}
+
 /// Sines to store of four terms for one depth.
 /// depth: in [0,1], clamped to it. first: number of the first of the four terms, counted from 1, clamped to [1, 256].
-/// order: number of all terms, from 1 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
+/// order: number of all terms, from 2 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
 /// A texel without any surface stores depth 1.
 /// Source: CSM's basis functions sin(c_k z).
 float4 lvsm_fourierSines(float depth, int first, int order)
 {
-    return clamp(sin(lvsm_fourierAngles((1.0 - lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0), first)), -1.0, 1.0);
+    return clamp(sin(lvsm_fourierAngles(lvsm_fourierDepth(depth, order), first)), -1.0, 1.0);
 }
 
 /// Cosines to store of four terms for one depth.
 /// depth: in [0,1], clamped to it. first: number of the first of the four terms, counted from 1, clamped to [1, 256].
-/// order: number of all terms, from 1 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
+/// order: number of all terms, from 2 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
 /// A texel without any surface stores depth 1.
 /// Source: CSM's basis functions cos(c_k z).
 float4 lvsm_fourierCosines(float depth, int first, int order)
 {
-    return clamp(cos(lvsm_fourierAngles((1.0 - lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0), first)), -1.0, 1.0);
+    return clamp(cos(lvsm_fourierAngles(lvsm_fourierDepth(depth, order), first)), -1.0, 1.0);
 }
 
 /// Sines or cosines as an unsigned 8-bit format holds them: -1, 0 and 1 fall on whole codes, 1, 128 and 255.
@@ -68,12 +74,12 @@ float4 lvsm_decodeFourier(float4 texel)
 }
 
 /// Factor of one term that suppresses the ringing of the cut series, at the cost of a softer step.
-/// index: of the term, counted from 1, clamped to [1, order]. order: number of terms, from 1 to 256, clamped to it.
+/// index: of the term, counted from 1, clamped to [1, order]. order: number of terms, from 2 to 256, clamped to it.
 /// strength: 0 leaves the term as it is, less counts as 0; at most 2^126. Result in [0,1], falling with index.
 /// Source: CSM's attenuation e^(-strength (k / order)^2).
 float lvsm_fourierAttenuation(int index, int order, float strength)
 {
-    int count = clamp(order, 1, LVSM_MAX_FOURIER_ORDER);
+    int count = clamp(order, 2, LVSM_MAX_FOURIER_ORDER);
     float ratio = float(clamp(index, 1, count)) / float(count);
     return clamp(exp(-clamp(strength, 0.0, LVSM_HUGE) * (ratio * ratio)), 0.0, 1.0);
 }
@@ -85,18 +91,17 @@ float lvsm_fourierWeight(int index, int order, float strength)
     return index <= order ? weight : 0.0;
 }
 
-/// Share of four terms in the series at a receiver; add those of all terms and pass the sum to fourierVisibility.
+/// Share of four terms in the series at a receiver: add those of all terms and pass the sum to fourierVisibility.
 /// sines, cosines: as stored for the four terms, filtered, each clamped to [-1,1]. depth: the receiver's, in [0,1],
 /// clamped to it. offset: towards the light, clamped to [0,1], see fourierOffset. first: number of the first of the
-/// four, counted from 1, clamped to [1, 256]. order: number of all terms, from 1 to 256, clamped to it; terms beyond it
+/// four, counted from 1, clamped to [1, 256]. order: number of all terms, from 2 to 256, clamped to it; terms beyond it
 /// count nothing. strength: of fourierAttenuation. Result in [-1.51, 1.51].
 /// Source: CSM's reconstruction, 2 / c_k (cos(c_k d) sin(c_k z) - sin(c_k d) cos(c_k z)).
 float lvsm_fourierSum(float4 sines, float4 cosines, float depth, float offset, int first, int order, float strength)
 {
     int k = clamp(first, 1, LVSM_MAX_FOURIER_ORDER);
-    int count = clamp(order, 1, LVSM_MAX_FOURIER_ORDER);
-    float receiver = (1.0 - lvsm_fourierOffset(order)) * clamp(depth, 0.0, 1.0) - clamp(offset, 0.0, 1.0);
-    float4 angles = lvsm_fourierAngles(max(receiver, 0.0), k);
+    int count = clamp(order, 2, LVSM_MAX_FOURIER_ORDER);
+    float4 angles = lvsm_fourierAngles(lvsm_fourierDepth(depth, order) - clamp(offset, 0.0, 1.0), k);
     float4 terms = cos(angles) * clamp(sines, -1.0, 1.0) - sin(angles) * clamp(cosines, -1.0, 1.0);
     return lvsm_fourierWeight(k, count, strength) * terms.x + lvsm_fourierWeight(k + 1, count, strength) * terms.y +
            lvsm_fourierWeight(k + 2, count, strength) * terms.z + lvsm_fourierWeight(k + 3, count, strength) * terms.w;

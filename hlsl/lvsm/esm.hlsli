@@ -9,7 +9,7 @@
 #include "filter.hlsli"
 
 // Largest c for which both factors are normal floats: 126 ln 2 = 87.33654, less 4e-5 for the error of exp,
-// 3 + 2 |x| units in the last place. 80, which the paper uses in fp32, leaves room for a sum of 6130 samples.
+// 3 + 2 |x| units in the last place. 80, which the paper uses in fp32, leaves room for a sum of 6141 samples.
 static const float LVSM_MAX_TERM_EXPONENT = 87.3365;
 
 /// Largest c whose occluder terms a storage format can hold and a filter can sum.

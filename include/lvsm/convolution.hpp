@@ -3,8 +3,8 @@
 //
 // The test of t = z - d, 1 for t >= 0, is 1/2 + 2 sum of sin(c_k t) / c_k, with c_k = (2k - 1) pi for k = 1 to the
 // order. sin(c_k (z - d)) separates into sines and cosines of z, which are stored, four terms to a texel each, and
-// those of d. The series has period 2 and begins to fall to 1/2 again at both ends of [-1,1], so all depths are
-// shrunk here by the distance from a crest to its step, fourierOffset.
+// those of d. The series has period 2, and towards -1 and 1 it turns back to 1/2: depths are shrunk here by twice the
+// distance from a step to its crest, so that no two depths, with that offset between them, come so far apart.
 #ifndef LVSM_CONVOLUTION_HPP
 #define LVSM_CONVOLUTION_HPP
 
@@ -22,12 +22,12 @@ template <typename T>
 constexpr T kPi = T(3.14159265358979323846);
 
 /// What a receiver is moved towards the light so that a lit surface is on the first crest of the series, not at 1/2.
-/// order: number of terms, from 1 to 256, clamped to it. Result in depth, in (0, 1/2]: 1 / (2 order), 0.031 for 16.
+/// order: number of terms, from 2 to 256, clamped to it. Result in depth, in (0, 1/4]: 1 / (2 order), 0.031 for 16.
 /// Source: the first zero of the derivative of the series, sin(2 order pi t) / sin(pi t).
 template <typename T = float>
 T fourierOffset(int order)
 {
-    return T(0.5) / static_cast<T>(detail::clamp(order, 1, kMaxFourierOrder));
+    return T(0.5) / static_cast<T>(detail::clamp(order, 2, kMaxFourierOrder));
 }
 
 namespace detail
@@ -38,7 +38,9 @@ template <typename T>
 T fourierAngle(T depth, int index)
 {
     const T halfTurns = depth * static_cast<T>(2 * index - 1);
-    const int turns = static_cast<int>(T(0.5) * halfTurns + T(0.5));
+    const T wanted = T(0.5) * halfTurns + T(0.5);
+    const int towardsZero = static_cast<int>(wanted);
+    const int turns = static_cast<T>(towardsZero) > wanted ? towardsZero - 1 : towardsZero;
     return kPi<T> * (halfTurns - T(2) * static_cast<T>(turns));
 }
 
@@ -46,7 +48,7 @@ T fourierAngle(T depth, int index)
 template <typename T>
 T fourierDepth(T depth, int order)
 {
-    return (T(1) - fourierOffset<T>(order)) * clamp(depth, T(0), T(1));
+    return (T(1) - T(2) * fourierOffset<T>(order)) * clamp(depth, T(0), T(1));
 }
 
 template <typename T>
@@ -67,7 +69,7 @@ T fourierCosine(T depth, int index)
 
 /// Sines to store of four terms for one depth.
 /// depth: in [0,1], clamped to it. first: number of the first of the four terms, counted from 1, clamped to [1, 256].
-/// order: number of all terms, from 1 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
+/// order: number of all terms, from 2 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
 /// A texel without any surface stores depth 1.
 /// Source: CSM's basis functions sin(c_k z).
 template <typename T>
@@ -81,7 +83,7 @@ glm::vec<4, T> fourierSines(T depth, int first, int order)
 
 /// Cosines to store of four terms for one depth.
 /// depth: in [0,1], clamped to it. first: number of the first of the four terms, counted from 1, clamped to [1, 256].
-/// order: number of all terms, from 1 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
+/// order: number of all terms, from 2 to 256, clamped to it. Result: each in [-1,1]; terms beyond the order are unused.
 /// A texel without any surface stores depth 1.
 /// Source: CSM's basis functions cos(c_k z).
 template <typename T>
@@ -116,14 +118,14 @@ glm::vec<4, T, Q> decodeFourier(const glm::vec<4, T, Q>& texel)
 }
 
 /// Factor of one term that suppresses the ringing of the cut series, at the cost of a softer step.
-/// index: of the term, counted from 1, clamped to [1, order]. order: number of terms, from 1 to 256, clamped to it.
+/// index: of the term, counted from 1, clamped to [1, order]. order: number of terms, from 2 to 256, clamped to it.
 /// strength: 0 leaves the term as it is, less counts as 0; at most 2^126. Result in [0,1], falling with index.
 /// Source: CSM's attenuation e^(-strength (k / order)^2).
 template <typename T>
 T fourierAttenuation(int index, int order, T strength)
 {
     using std::exp;
-    const int count = detail::clamp(order, 1, kMaxFourierOrder);
+    const int count = detail::clamp(order, 2, kMaxFourierOrder);
     const T ratio = static_cast<T>(detail::clamp(index, 1, count)) / static_cast<T>(count);
     return detail::clamp(exp(-detail::clamp(strength, T(0), kHuge<T>) * (ratio * ratio)), T(0), T(1));
 }
@@ -144,10 +146,10 @@ T fourierShare(T sine, T cosine, T receiver, int index, int order, T strength)
 
 } // namespace detail
 
-/// Share of four terms in the series at a receiver; add those of all terms and pass the sum to fourierVisibility.
+/// Share of four terms in the series at a receiver: add those of all terms and pass the sum to fourierVisibility.
 /// sines, cosines: as stored for the four terms, filtered, each clamped to [-1,1]. depth: the receiver's, in [0,1],
 /// clamped to it. offset: towards the light, clamped to [0,1], see fourierOffset. first: number of the first of the
-/// four, counted from 1, clamped to [1, 256]. order: number of all terms, from 1 to 256, clamped to it; terms beyond it
+/// four, counted from 1, clamped to [1, 256]. order: number of all terms, from 2 to 256, clamped to it; terms beyond it
 /// count nothing. strength: of fourierAttenuation. Result in [-1.51, 1.51].
 /// Source: CSM's reconstruction, 2 / c_k (cos(c_k d) sin(c_k z) - sin(c_k d) cos(c_k z)).
 template <typename T, glm::qualifier Q>
@@ -155,8 +157,8 @@ T fourierSum(const glm::vec<4, T, Q>& sines, const glm::vec<4, T, Q>& cosines, T
              T strength)
 {
     const int k = detail::clamp(first, 1, kMaxFourierOrder);
-    const int count = detail::clamp(order, 1, kMaxFourierOrder);
-    const T moved = detail::max(T(0), detail::fourierDepth(depth, count) - detail::clamp(offset, T(0), T(1)));
+    const int count = detail::clamp(order, 2, kMaxFourierOrder);
+    const T moved = detail::fourierDepth(depth, count) - detail::clamp(offset, T(0), T(1));
     return detail::fourierShare(sines.x, cosines.x, moved, k, count, strength) +
            detail::fourierShare(sines.y, cosines.y, moved, k + 1, count, strength) +
            detail::fourierShare(sines.z, cosines.z, moved, k + 2, count, strength) +
