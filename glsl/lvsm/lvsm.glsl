@@ -17,7 +17,8 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, exponential, placement, esm, convolution, pcf, filter. A whole use:
+// Topics: depth, moments, layers, bracket, moments4, exponential, placement, receiver, esm, convolution, pcf, filter.
+// A whole use:
 //
 // GLSL
 //
@@ -41,6 +42,7 @@
 #ifndef LVSM_LVSM_GLSL
 #define LVSM_LVSM_GLSL
 
+#include "bracket.glsl"
 #include "convolution.glsl"
 #include "depth.glsl"
 #include "esm.glsl"
@@ -48,7 +50,9 @@
 #include "filter.glsl"
 #include "layers.glsl"
 #include "moments.glsl"
+#include "moments4.glsl"
 #include "pcf.glsl"
 #include "placement.glsl"
+#include "receiver.glsl"
 
 #endif

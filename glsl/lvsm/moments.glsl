@@ -76,6 +76,25 @@ float lvsm_chebyshevLowerBound(vec2 moments, float t, float minVariance)
     return t < moments.x ? 1.0 - tail : 0.0;
 }
 
+/// Upper bound on the share of the filter window that is at depth t or farther, for depths known to lie in [0,1].
+/// moments: (M1, M2) filtered, of a depth in [0,1]. t: the receiver's depth in the moments' space.
+/// minVariance: floor of the variance, >= 0. Result in [0,1]: 1 for t <= 0, never above chebyshevUpperBound.
+/// Exact for samples at 0 and 1 alone; without a floor no bound from two moments is less anywhere.
+/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond.
+/// Source: the least mean of three parabolas that are nowhere less than the step at t: Cantelli's; x / t (Markov's);
+/// x (1 + t - x) / t. Together they are the bound of Markov and Krein for the support [0,1]. The floor adds
+/// 9/4 minVariance / t^2 to the last two, which makes up for the same depth error as it does in Cantelli's.
+float lvsm_boundedUpperBound(vec2 moments, float t, float minVariance)
+{
+    float tail = lvsm_chebyshevUpperBound(moments, t, minVariance);
+    vec2 valid = clamp(moments, 0.0, 1.0);
+    float at = clamp(t, 0.0, 1.0);
+    float inverse = 1.0 / max(at, LVSM_TINY);
+    float room = 2.25 * clamp(minVariance, 0.0, 1.0) * inverse;
+    float parabolas = (min(valid.x, valid.x * at + (valid.x - valid.y)) + room) * inverse;
+    return t > 0.0 ? clamp(min(tail, parabolas), 0.0, 1.0) : 1.0;
+}
+
 /// Visibility with its low end cut off and the rest stretched back to [0,1]: less bleeding, darker penumbrae.
 /// visibility: in [0,1]. amount: what counts as no light, in [0,1), less counts as 0.
 /// Result in [0,1]: 0 up to amount, 1 at 1; rises with visibility and falls with amount.

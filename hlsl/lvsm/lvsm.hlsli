@@ -17,7 +17,8 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, exponential, placement, esm, convolution, pcf, filter. A whole use:
+// Topics: depth, moments, layers, bracket, moments4, exponential, placement, receiver, esm, convolution, pcf, filter.
+// A whole use:
 //
 // HLSL
 //
@@ -41,6 +42,7 @@
 #ifndef LVSM_LVSM_HLSLI
 #define LVSM_LVSM_HLSLI
 
+#include "bracket.hlsli"
 #include "convolution.hlsli"
 #include "depth.hlsli"
 #include "esm.hlsli"
@@ -48,7 +50,9 @@
 #include "filter.hlsli"
 #include "layers.hlsli"
 #include "moments.hlsli"
+#include "moments4.hlsli"
 #include "pcf.hlsli"
 #include "placement.hlsli"
+#include "receiver.hlsli"
 
 #endif

@@ -18,16 +18,16 @@ namespace lvsm
 {
 
 /// Moments of the union of two neighbouring layers that do not overlap, from the moments of the two.
-/// moments: of the layer in front, filtered. next: of the layer behind it. length, nextLength: of the two in depth,
-/// in [0,1], clamped to it. Result: (M1, M2) of the layer that covers both, each in [0,1].
+/// moments: of the layer in front, filtered. next: of the layer behind it. extent, nextExtent: lengths of the two, in
+/// [0,1], clamped to it. Result: (M1, M2) of the layer that covers both, each in [0,1].
 /// Degenerate: two empty layers give moments.
-/// Source: the warp of the union is (length phi + nextLength phiNext) / (length + nextLength), and phiNext > 0 implies
+/// Source: the warp of the union is (extent phi + nextExtent phiNext) / (extent + nextExtent), and phiNext > 0 implies
 /// phi = 1, so that E[phi phiNext] = E[phiNext].
 template <typename T, glm::qualifier Q>
-glm::vec<2, T, Q> mergeLayers(const glm::vec<2, T, Q>& moments, const glm::vec<2, T, Q>& next, T length, T nextLength)
+glm::vec<2, T, Q> mergeLayers(const glm::vec<2, T, Q>& moments, const glm::vec<2, T, Q>& next, T extent, T nextExtent)
 {
-    const T a = detail::clamp(length, T(0), T(1));
-    const T b = detail::clamp(nextLength, T(0), T(1));
+    const T a = detail::clamp(extent, T(0), T(1));
+    const T b = detail::clamp(nextExtent, T(0), T(1));
     const T sum = a + b;
     const T behind = sum < kTiny<T> ? T(0) : detail::min(T(1), b / sum);
     const T inFront = T(1) - behind;

@@ -17,8 +17,8 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, exponential, placement, esm, convolution, pcf, filter; on the host also lloyd.
-// A whole use, in each language:
+// Topics: depth, moments, layers, bracket, moments4, exponential, placement, receiver, esm, convolution, pcf, filter; on
+// the host also lloyd and optimal. A whole use, in each language:
 //
 // C++
 //
@@ -78,6 +78,7 @@
 #ifndef LVSM_LVSM_HPP
 #define LVSM_LVSM_HPP
 
+#include "bracket.hpp"
 #include "convolution.hpp"
 #include "depth.hpp"
 #include "esm.hpp"
@@ -86,7 +87,10 @@
 #include "layers.hpp"
 #include "lloyd.hpp"
 #include "moments.hpp"
+#include "moments4.hpp"
+#include "optimal.hpp"
 #include "pcf.hpp"
 #include "placement.hpp"
+#include "receiver.hpp"
 
 #endif

@@ -119,8 +119,8 @@ T hamburgerUpperBound(const glm::vec<4, T, Q>& moments, T t, T bias)
 
     // One root on each side of t. In p x^2 + 2 half x + (d - v p) nothing cancels, for p < 0.
     const T half = T(0.5) * (d * y / v - basis.z * p);
-    const T root = sqrt(half * half - p * (d - v * p));
-    const T skewed = (mass * y * p - (T(1) - mass) * half) / detail::max(kTiny<T>, root);
+    const T root = sqrt(detail::max(kTiny<T>, half * half - p * (d - v * p)));
+    const T skewed = (mass * y * p - (T(1) - mass) * half) / root;
     return detail::clamp(T(0.5) * (T(1) + mass + skewed), T(0), T(1));
 }
 
