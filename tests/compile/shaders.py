@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Compiles one shader file for one target, in a program that includes nothing else and calls its every function.
 
-Each program is compiled as it is, with LVSM_MAX_LAYERS at other values and with LVSM_PRECISE defined empty. Fails on
-any warning. Without --single a file is included; with it, the file stands in the program as pasted.
+The program of all topics is also compiled with LVSM_MAX_LAYERS at other values and with LVSM_PRECISE defined empty.
+Fails on any warning. Without --single a file is included; with it, the file stands in the program as pasted.
 """
 import argparse
 import pathlib
@@ -124,7 +124,7 @@ def main():
     compile_ = compile_glsl if options.language == "GLSL" else compile_hlsl
     failed = 0
     with tempfile.TemporaryDirectory() as folder:
-        for setting in SETTINGS:
+        for setting in SETTINGS if options.name == lvsm_api.UMBRELLA else SETTINGS[:1]:
             try:
                 compile_(options, setting, text, folder)
             except Failure:
