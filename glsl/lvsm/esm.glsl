@@ -30,7 +30,7 @@ float lvsm_maxTermExponent(float largest, float headRoom)
 /// Source: ESM equation 3.
 float lvsm_occluderTerm(float depth, float exponent)
 {
-    return exp(clamp(exponent, 0.0, LVSM_MAX_TERM_EXPONENT) * clamp(depth, 0.0, 1.0));
+    return max(exp(clamp(exponent, 0.0, LVSM_MAX_TERM_EXPONENT) * clamp(depth, 0.0, 1.0)), 1.0);
 }
 
 // The receiver's factor, e^(-c d).

@@ -51,20 +51,6 @@ T fourierDepth(T depth, int order)
     return (T(1) - T(2) * fourierOffset<T>(order)) * clamp(depth, T(0), T(1));
 }
 
-template <typename T>
-T fourierSine(T depth, int index)
-{
-    using std::sin;
-    return clamp(sin(fourierAngle(depth, index)), T(-1), T(1));
-}
-
-template <typename T>
-T fourierCosine(T depth, int index)
-{
-    using std::cos;
-    return clamp(cos(fourierAngle(depth, index)), T(-1), T(1));
-}
-
 } // namespace detail
 
 /// Sines to store of four terms for one depth.
@@ -75,10 +61,11 @@ T fourierCosine(T depth, int index)
 template <typename T>
 glm::vec<4, T> fourierSines(T depth, int first, int order)
 {
+    using std::sin;
     const int k = detail::clamp(first, 1, kMaxFourierOrder);
     const T z = detail::fourierDepth(depth, order);
-    return {detail::fourierSine(z, k), detail::fourierSine(z, k + 1), detail::fourierSine(z, k + 2),
-            detail::fourierSine(z, k + 3)};
+    const auto sine = [z](int index) { return detail::clamp(sin(detail::fourierAngle(z, index)), T(-1), T(1)); };
+    return {sine(k), sine(k + 1), sine(k + 2), sine(k + 3)};
 }
 
 /// Cosines to store of four terms for one depth.
@@ -89,10 +76,11 @@ glm::vec<4, T> fourierSines(T depth, int first, int order)
 template <typename T>
 glm::vec<4, T> fourierCosines(T depth, int first, int order)
 {
+    using std::cos;
     const int k = detail::clamp(first, 1, kMaxFourierOrder);
     const T z = detail::fourierDepth(depth, order);
-    return {detail::fourierCosine(z, k), detail::fourierCosine(z, k + 1), detail::fourierCosine(z, k + 2),
-            detail::fourierCosine(z, k + 3)};
+    const auto cosine = [z](int index) { return detail::clamp(cos(detail::fourierAngle(z, index)), T(-1), T(1)); };
+    return {cosine(k), cosine(k + 1), cosine(k + 2), cosine(k + 3)};
 }
 
 /// Sines or cosines as an unsigned 8-bit format holds them: -1, 0 and 1 fall on whole codes, 1, 128 and 255.
@@ -137,11 +125,13 @@ namespace detail
 template <typename T>
 T fourierShare(T sine, T cosine, T receiver, int index, int order, T strength)
 {
+    using std::cos;
+    using std::sin;
     if (index > order)
         return T(0);
+    const T angle = fourierAngle(receiver, index);
     const T weight = T(2) * fourierAttenuation(index, order, strength) / (kPi<T> * static_cast<T>(2 * index - 1));
-    return weight * (fourierCosine(receiver, index) * clamp(sine, T(-1), T(1)) -
-                     fourierSine(receiver, index) * clamp(cosine, T(-1), T(1)));
+    return weight * (cos(angle) * clamp(sine, T(-1), T(1)) - sin(angle) * clamp(cosine, T(-1), T(1)));
 }
 
 } // namespace detail

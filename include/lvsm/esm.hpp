@@ -38,7 +38,8 @@ template <typename T>
 T occluderTerm(T depth, T exponent)
 {
     using std::exp;
-    return exp(detail::clamp(exponent, T(0), kMaxTermExponent<T>) * detail::clamp(depth, T(0), T(1)));
+    return detail::max(T(1),
+                       exp(detail::clamp(exponent, T(0), kMaxTermExponent<T>) * detail::clamp(depth, T(0), T(1))));
 }
 
 namespace detail

@@ -200,6 +200,54 @@ const std::map<std::string, Domain>& domains()
          {{integers({0.0, 1.0, -1.0, 2147483647.0}, 0.0, 100000.0),
            integers({1.0, 2.0, 3.0, 8.0, 0.0, -7.0, 70000.0}, 1.0, 16.0)},
           nullptr}},
+        // 0 index; 1 size; 2 sigma; 3 dimensions.
+        {"kernels",
+         {{integers({0.0, 1.0, 4.0, 32.0, -1.0}, 0.0, 64.0),
+           integers({1.0, 2.0, 3.0, 9.0, 65.0, 0.0, -7.0, 70000.0}, 1.0, 65.0),
+           {{0.0, 0.3, 1.5, kSubnormal, -1.0, 1.0e30}, 0.1, 20.0, Scale::Logarithmic},
+           integers({1.0, 2.0, 3.0, 0.0, 9.0}, 1.0, 3.0)},
+          nullptr}},
+        {"boxes",
+         {{{{0.0, 0.5, -0.5, 1.0, -1.25, kSubnormal, 1.0e30}, -8.0, 8.0},
+           {{1.0, 2.5, 3.0, 0.0, 0.5, -1.0, 1.0e30}, 0.25, 15.0}},
+          nullptr}},
+        {"weightPairs",
+         {{{{0.0, 1.0, kSubnormal, kTiny, -1.0, 1.0e38}, 0.0, 1.0}, {{0.0, 1.0, 0.25, kSubnormal, kTiny}, 0.0, 1.0}},
+          nullptr}},
+        {"corners", {{depth(), depth(), depth(), depth(), depth(), depth()}, nullptr}},
+        // 0 to 3 depths in the map; 4, 5 fraction, or lit and whole weight; 6 to 9 receivers near them or anywhere;
+        // 10 bias; 11 to 14 weights.
+        {"comparisons",
+         {{depth(), depth(), depth(), depth(), share(), {{0.0, 1.0, 0.5, kSubnormal, 1.0e38}, 0.0, 2.0},
+           difference(), difference(), difference(), difference(), {{0.0, kSubnormal, 1.0e-7, 1.0e-3}, 0.0, 0.1},
+           share(), share(), share(), share()},
+          [](double* words) {
+              for (int i = 0; i < 4; ++i)
+                  words[6 + i] += words[i];
+          }}},
+        // 0 depth; 1 exponent; 2 threshold or offset; 3 to 6 terms of depths; 7, 8 fraction; 9 greatest depth.
+        {"occluderTerms",
+         {{depth(), {{0.0, 11.0, 80.0, 87.3365, 90.0, -1.0}, 0.0, 87.0}, {{0.0, 0.02, 0.001, -1.0}, 0.0, 0.1},
+           depth(), depth(), depth(), depth(), share(), share(), depth()},
+          [](double* words) {
+              for (int i = 3; i < 7; ++i)
+                  words[i] = std::exp(std::clamp(words[1], 0.0, 87.3365) * std::clamp(words[i], 0.0, 1.0));
+          }}},
+        // 0 depth or filtered value; 1 exponent; 2 receiver; 3 weight; 4, 5 greatest depth and sum so far.
+        {"logFilter",
+         {{depth(), {{1.0, 80.0, 0.0, -1.0, 1.0e4, 1.0e30}, 1.0, 500.0}, depth(), share(), depth(),
+           {{0.0, 1.0, kSubnormal, kTiny, 1.0e38, -1.0}, 0.0, 1.0}},
+          nullptr}},
+        // 0 depth; 1 first term; 2 order; 3 strength; 4 offset; 5 to 8 sines; 9 to 12 cosines; 13 scale; 14 sum.
+        {"fourierTerms",
+         {{depth(), integers({1.0, 5.0, 13.0, 0.0, 256.0, 300.0}, 1.0, 16.0),
+           integers({2.0, 4.0, 16.0, 7.0, 1.0, 256.0, -3.0, 1000.0}, 2.0, 32.0),
+           {{0.0, 1.0, kSubnormal, -1.0, 1.0e30}, 0.0, 4.0}, {{0.0, 0.03125, 1.0, -1.0}, 0.0, 0.25},
+           {{0.0, 1.0, -1.0, 2.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0},
+           {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0},
+           {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{1.0, 2.0, 0.0, -1.0, 1.0e30}, 0.5, 2.0},
+           {{0.0, 0.5, -0.5, 1.0, -2.0}, -1.0, 1.0}},
+          nullptr}},
     };
     return all;
 }
