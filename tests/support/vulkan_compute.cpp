@@ -54,9 +54,6 @@ Result<std::vector<std::byte>> VulkanDevice::run(const ComputeJob& job) try {
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *sets[0], {});
     commands.dispatch(job.groupCount, 1, 1);
-    const vk::MemoryBarrier toHost(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
-    commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eHost, {}, toHost,
-                             {}, {});
   });
   return std::vector<std::byte>(output.data, output.data + job.outputBytes);
 } catch (const std::exception& error) {

@@ -33,6 +33,10 @@ void submit(const VulkanContext& context, const std::function<void(vk::raii::Com
   vk::raii::CommandBuffers commands(context.device, allocation);
   commands[0].begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
   record(commands[0]);
+  using Access = vk::AccessFlagBits;
+  using Stage = vk::PipelineStageFlagBits;
+  const vk::MemoryBarrier toAll(Access::eMemoryWrite, Access::eMemoryRead | Access::eMemoryWrite | Access::eHostRead);
+  commands[0].pipelineBarrier(Stage::eAllCommands, Stage::eAllCommands | Stage::eHost, {}, toAll, {}, {});
   commands[0].end();
   context.queue.submit(vk::SubmitInfo({}, {}, *commands[0]));
   context.queue.waitIdle();

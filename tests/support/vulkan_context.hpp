@@ -42,7 +42,8 @@ Buffer makeBuffer(const VulkanContext& context, std::size_t size, vk::BufferUsag
 
 vk::raii::ShaderModule makeShader(const VulkanContext& context, const std::vector<std::uint32_t>& spirv);
 
-/// Records commands, submits them and waits until the device has finished.
+/// Records commands, submits them and waits until the device has finished; the host and
+/// later submissions see what they wrote.
 void submit(const VulkanContext& context, const std::function<void(vk::raii::CommandBuffer&)>& record);
 
 }  // namespace lvsm::support

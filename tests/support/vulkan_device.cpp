@@ -35,11 +35,11 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBit
   return VK_FALSE;
 }
 
-// Without the general type: that is the loader's own talk about other drivers.
+// Without the general type, the loader's own talk about other drivers, and without hints on performance.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(std::vector<std::string>& messages) {
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  return {{}, Severity::eWarning | Severity::eError, Type::eValidation | Type::ePerformance, collectMessage, &messages};
+  return {{}, Severity::eWarning | Severity::eError, Type::eValidation, collectMessage, &messages};
 }
 
 bool hasValidationLayer(const vk::raii::Context& loader) {
