@@ -30,7 +30,8 @@ vec2 lvsm_receiverGradient(vec3 dx, vec3 dy)
 float lvsm_planeDepth(float depth, vec2 gradient, vec2 offset)
 {
     vec2 rise = clamp(gradient, -1.0, 1.0) * clamp(offset, -1.0e18, 1.0e18);
-    return clamp(depth + (rise.x + rise.y), 0.0, 1.0);
+    LVSM_PRECISE float plane = depth + (rise.x + rise.y);
+    return clamp(plane, 0.0, 1.0);
 }
 
 /// Depth of the receiver moved towards the light, in proportion to its slope.

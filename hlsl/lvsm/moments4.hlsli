@@ -38,10 +38,11 @@ float4 lvsm_boxedMoments4(float4 moments)
 float4 lvsm_encodeMoments4(float4 moments)
 {
     float4 b = lvsm_boxedMoments4(moments);
-    return clamp(float4(1.5 * b.x - 2.0 * b.z + 0.5,
-                      4.0 * (b.y - b.w),
-                      0.866025404 * b.x - 0.384900179 * b.z + 0.5,
-                      0.5 * (b.y + b.w)), 0.0, 1.0);
+    LVSM_PRECISE float4 encoded = float4(1.5 * b.x - 2.0 * b.z + 0.5,
+                                     4.0 * (b.y - b.w),
+                                     0.866025404 * b.x - 0.384900179 * b.z + 0.5,
+                                     0.5 * (b.y + b.w));
+    return clamp(encoded, 0.0, 1.0);
 }
 
 /// Four moments out of the basis that loses least to 16 bits.

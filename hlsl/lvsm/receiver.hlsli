@@ -30,7 +30,8 @@ float2 lvsm_receiverGradient(float3 dx, float3 dy)
 float lvsm_planeDepth(float depth, float2 gradient, float2 offset)
 {
     float2 rise = clamp(gradient, -1.0, 1.0) * clamp(offset, -1.0e18, 1.0e18);
-    return clamp(depth + (rise.x + rise.y), 0.0, 1.0);
+    LVSM_PRECISE float plane = depth + (rise.x + rise.y);
+    return clamp(plane, 0.0, 1.0);
 }
 
 /// Depth of the receiver moved towards the light, in proportion to its slope.

@@ -2,6 +2,7 @@
 
 #include <lvsm/exponential.hpp>
 #include <lvsm/layers.hpp>
+#include <lvsm/moments4.hpp>
 #include <lvsm/placement.hpp>
 
 #include <algorithm>
@@ -92,6 +93,62 @@ void exponentialMomentsOfTwo(double* words)
         words[4 + 2 * which] = alpha * a + (1.0 - alpha) * b;
         words[5 + 2 * which] = alpha * a * a + (1.0 - alpha) * b * b;
     }
+}
+
+// A window of three depths, each with its share.
+struct Window
+{
+    double depths[3];
+    double shares[3];
+
+    // Means of warped powers 1 to count; warped depths lie in [-1,1] where isSigned, else in [0,1].
+    void moments(double begin, double end, bool isSigned, int count, double* out) const
+    {
+        std::fill(out, out + count, 0.0);
+        for (int i = 0; i < 3; ++i)
+        {
+            const double warped = lvsm::linstep(depths[i], begin, end);
+            double power = shares[i];
+            for (int k = 0; k < count; ++k)
+                out[k] += power *= isSigned ? 2.0 * warped - 1.0 : warped;
+        }
+    }
+};
+
+// Words 1 and 2 become an interval, 4 to 6 are depths of a window and 7 and 8 weigh them.
+Window windowAround(double* words)
+{
+    words[2] += words[1];
+    const double first = words[7];
+    const double second = (1.0 - first) * words[8];
+    return {{words[4], words[5], words[6]}, {first, second, 1.0 - first - second}};
+}
+
+void bracketedMoments(double* words)
+{
+    const Window window = windowAround(words);
+    window.moments(0.0, words[1], false, 2, words + 4);
+    window.moments(words[1], words[2], false, 2, words + 6);
+    window.moments(words[2], 1.0, false, 2, words + 8);
+    words[10] = words[1];
+    words[11] = words[2] - words[1];
+    window.moments(0.0, words[1], false, 2, words + 12);
+    window.moments(words[1], 1.0, false, 2, words + 14);
+    words[16] = 0.0;
+    words[17] = 1.0;
+}
+
+void bracketedMoments4(double* words)
+{
+    const Window window = windowAround(words);
+    window.moments(0.0, words[1], true, 4, words + 4);
+    window.moments(words[1], words[2], true, 4, words + 8);
+    window.moments(words[2], 1.0, true, 4, words + 12);
+    window.moments(0.0, 1.0, true, 4, words + 16);
+    const glm::dvec4 encoded =
+        lvsm::encodeMoments4(glm::dvec4(words[16], words[17], words[18], words[19]));
+    for (int i = 0; i < 4; ++i)
+        words[20 + i] = encoded[i];
 }
 
 void sortSplits(double* words)
@@ -247,6 +304,29 @@ const std::map<std::string, Domain>& domains()
            {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0},
            {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{0.0, 1.0, -1.0}, -1.0, 1.0}, {{1.0, 2.0, 0.0, -1.0, 1.0e30}, 0.5, 2.0},
            {{0.0, 0.5, -0.5, 1.0, -2.0}, -1.0, 1.0}},
+          nullptr}},
+        // 0 depth; 1, 2 interval; 3 minVariance; 4 to 9 moments of the layers in front, of it, behind; 10, 11 lengths;
+        // 12 to 15 two layers that meet at word 1; 16, 17 their outer ends.
+        {"bracketed",
+         {{depth(), depth(), {{0.0, kTiny, 1.0e-3, 1.0, -0.25}, 0.0, 0.5}, smallVariance(), depth(), depth(), depth(),
+           share(), share(), share(), share(), share(), share(), share(), share(), share(), share(), share()},
+          bracketedMoments}},
+        // 0 depth; 1, 2 interval; 3 bias; 4 to 15 moments of the layers in front, of it, behind; 16 to 19 of one layer
+        // from 0 to 1; 20 to 23 those encoded.
+        {"fourMoments",
+         {{depth(), depth(), {{0.0, kTiny, 1.0e-3, 1.0, -0.25}, 0.0, 0.5},
+           {{3.0e-7, 6.0e-5, 0.0, 1.0, kSubnormal}, 1.0e-7, 1.0e-2, Scale::Logarithmic}, depth(), depth(), depth(),
+           share(), share(), share(), share(), share(), share(), share(), share(), share(), share(), share(), share(),
+           share(), share(), share(), share(), share()},
+          bracketedMoments4}},
+        // 0 to 5 screen derivatives of texel and depth; 6 depth; 7, 8 gradient; 9, 10 offset; 11 shift; 12 deviation;
+        // 13 minVariance.
+        {"receivers",
+         {{{{0.0, 1.0, -1.0}, -4.0, 4.0}, {{0.0, 1.0}, -4.0, 4.0}, {{0.0, 1.0e-3}, -0.01, 0.01},
+           {{0.0, 1.0}, -4.0, 4.0}, {{0.0, 1.0, -1.0}, -4.0, 4.0}, {{0.0, -1.0e-3}, -0.01, 0.01}, depth(),
+           {{0.0, 1.0e-3, 2.0}, -0.02, 0.02}, {{0.0, -1.0e-3}, -0.02, 0.02}, {{0.0, 1.0, 1.0e30}, -4.0, 4.0},
+           {{0.0, -3.0}, -4.0, 4.0}, {{0.0, 0.3, 3.0, -1.0}, 0.0, 4.0}, {{0.0, 1.22, -1.0, 1.0e30}, 0.0, 4.0},
+           smallVariance()},
           nullptr}},
     };
     return all;
