@@ -2,7 +2,9 @@
 #ifndef LVSM_CONFIG_HPP
 #define LVSM_CONFIG_HPP
 
-#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/trigonometric.hpp>
 
 // Settings. Define any of them before the first include.
 
@@ -18,6 +20,10 @@ namespace lvsm
 // Smallest normal float, 2^-126: GPUs may flush what is smaller, and promise nothing for division by it.
 template <typename T>
 constexpr T kTiny = T(1.17549435082228750797e-38);
+
+// 2^-63, the square root of 2^-126: a smaller distance has no normal square.
+template <typename T>
+constexpr T kRootTiny = T(1.08420217248550443401e-19);
 
 // 2^126: the largest divisor for which Vulkan promises the precision of a division.
 template <typename T>

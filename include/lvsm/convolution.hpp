@@ -61,7 +61,7 @@ T fourierDepth(T depth, int order)
 template <typename T>
 glm::vec<4, T> fourierSines(T depth, int first, int order)
 {
-    using std::sin;
+    using glm::sin;
     const int k = detail::clamp(first, 1, kMaxFourierOrder);
     const T z = detail::fourierDepth(depth, order);
     const auto sine = [z](int index) { return detail::clamp(sin(detail::fourierAngle(z, index)), T(-1), T(1)); };
@@ -76,7 +76,7 @@ glm::vec<4, T> fourierSines(T depth, int first, int order)
 template <typename T>
 glm::vec<4, T> fourierCosines(T depth, int first, int order)
 {
-    using std::cos;
+    using glm::cos;
     const int k = detail::clamp(first, 1, kMaxFourierOrder);
     const T z = detail::fourierDepth(depth, order);
     const auto cosine = [z](int index) { return detail::clamp(cos(detail::fourierAngle(z, index)), T(-1), T(1)); };
@@ -112,7 +112,7 @@ glm::vec<4, T, Q> decodeFourier(const glm::vec<4, T, Q>& texel)
 template <typename T>
 T fourierAttenuation(int index, int order, T strength)
 {
-    using std::exp;
+    using glm::exp;
     const int count = detail::clamp(order, 2, kMaxFourierOrder);
     const T ratio = static_cast<T>(detail::clamp(index, 1, count)) / static_cast<T>(count);
     return detail::clamp(exp(-detail::clamp(strength, T(0), kHuge<T>) * (ratio * ratio)), T(0), T(1));
@@ -125,8 +125,8 @@ namespace detail
 template <typename T>
 T fourierShare(T sine, T cosine, T receiver, int index, int order, T strength)
 {
-    using std::cos;
-    using std::sin;
+    using glm::cos;
+    using glm::sin;
     if (index > order)
         return T(0);
     const T angle = fourierAngle(receiver, index);

@@ -12,7 +12,7 @@ namespace lvsm
 
 /// Linear step: 0 at and below lo, 1 at and above hi, linear between.
 /// x, lo, hi: any unit, the same for the three. Result in [0,1].
-/// Degenerate: an empty or inverted range is a step, 0 below hi and 1 from hi on.
+/// Degenerate: an empty or inverted range is a step, 0 below hi and 1 from hi on; one longer than 2^126 ends there.
 /// Source: Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3 (2007), section 8.4.3.
 template <typename T>
 T linstep(T x, T lo, T hi)
@@ -31,7 +31,7 @@ T linstep(T x, T lo, T hi)
 template <typename T, glm::qualifier Q>
 T pointLightDepth(const glm::vec<3, T, Q>& position, const glm::vec<3, T, Q>& light, T nearDistance, T farDistance)
 {
-    using std::sqrt;
+    using glm::sqrt;
     const T x = position.x - light.x;
     const T y = position.y - light.y;
     const T z = position.z - light.z;

@@ -25,7 +25,7 @@ constexpr T kMaxTermExponent = T(87.3365);
 template <typename T>
 T maxTermExponent(T largest, T headRoom)
 {
-    using std::log;
+    using glm::log;
     const T ratio = detail::max(T(1), largest) / detail::clamp(headRoom, T(1), kHuge<T>);
     return detail::clamp(log(detail::max(T(1), ratio)), T(0), kMaxTermExponent<T>);
 }
@@ -37,7 +37,7 @@ T maxTermExponent(T largest, T headRoom)
 template <typename T>
 T occluderTerm(T depth, T exponent)
 {
-    using std::exp;
+    using glm::exp;
     return detail::max(T(1),
                        exp(detail::clamp(exponent, T(0), kMaxTermExponent<T>) * detail::clamp(depth, T(0), T(1))));
 }
@@ -49,7 +49,7 @@ namespace detail
 template <typename T>
 T receiverTerm(T depth, T exponent)
 {
-    using std::exp;
+    using glm::exp;
     return exp(-clamp(exponent, T(0), kMaxTermExponent<T>) * clamp(depth, T(0), T(1)));
 }
 
@@ -120,7 +120,7 @@ T exponentialShadow2x2(const glm::vec<4, T, Q>& occluders, const glm::vec<2, T, 
 template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> logAdd(const glm::vec<2, T, Q>& sum, T depth, T weight, T exponent)
 {
-    using std::exp;
+    using glm::exp;
     const T c = detail::clamp(exponent, T(1), kHuge<T>);
     const T z = detail::clamp(depth, T(0), T(1));
     const T before = detail::clamp(sum.x, T(0), T(1));
@@ -137,7 +137,7 @@ glm::vec<2, T, Q> logAdd(const glm::vec<2, T, Q>& sum, T depth, T weight, T expo
 template <typename T, glm::qualifier Q>
 T logFiltered(const glm::vec<2, T, Q>& sum, T exponent)
 {
-    using std::log;
+    using glm::log;
     const T c = detail::clamp(exponent, T(1), kHuge<T>);
     return detail::clamp(detail::clamp(sum.x, T(0), T(1)) + log(detail::clamp(sum.y, kTiny<T>, kHuge<T>)) / c, T(0),
                          T(1));
@@ -150,7 +150,7 @@ T logFiltered(const glm::vec<2, T, Q>& sum, T exponent)
 template <typename T>
 T logShadow(T filtered, T depth, T exponent)
 {
-    using std::exp;
+    using glm::exp;
     const T difference = detail::clamp(filtered, T(0), T(1)) - detail::clamp(depth, T(0), T(1));
     return detail::clamp(exp(detail::clamp(exponent, T(1), kHuge<T>) * detail::min(T(0), difference)), T(0), T(1));
 }

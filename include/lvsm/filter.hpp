@@ -42,7 +42,7 @@ namespace detail
 template <typename T>
 T gaussianFalloff(int index, int count, T sigma)
 {
-    using std::exp;
+    using glm::exp;
     const T deviation = clamp(sigma, T(0.015625), T(1048576.0));
     const int m = 2 * index - (count - 1);
     const T squared = T(0.25) * static_cast<T>(m * m - (1 - (count & 1)));
@@ -77,7 +77,7 @@ T gaussianWeight(int index, int size, T sigma)
 template <typename T>
 T boxWeight(T offset, T width)
 {
-    using std::abs;
+    using glm::abs;
     const T extent = detail::clamp(width, T(9.5367431640625e-7), T(1048576.0));
     const T reach = T(0.5) * extent;
     const T centre = detail::clamp(abs(offset), T(0), T(2097152.0));

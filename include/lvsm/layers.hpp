@@ -159,15 +159,16 @@ T transitionWeight(T depth, T begin, T end, T width)
 }
 
 /// Visibility blended across a split.
-/// visibility: of the layer that holds the receiver. neighbour: of the layer that the sign of weight names.
-/// weight: as transitionWeight gives it, its size clamped to [0,1]. Result between visibility and neighbour.
+/// visibility: of the layer that holds the receiver. neighbour: of the layer that the sign of weight names. Both are
+/// clamped to [0,1]. weight: as transitionWeight gives it, its size clamped to [0,1].
+/// Result in [0,1]: visibility at weight 0, neighbour at a size of 1, linear between.
 /// Source: LVSM section 5, the transition region.
 template <typename T>
 T blendTransition(T visibility, T neighbour, T weight)
 {
-    using std::abs;
+    using glm::abs;
     const T share = detail::min(T(1), abs(weight));
-    return visibility * (T(1) - share) + neighbour * share;
+    return detail::clamp(visibility, T(0), T(1)) * (T(1) - share) + detail::clamp(neighbour, T(0), T(1)) * share;
 }
 
 } // namespace lvsm

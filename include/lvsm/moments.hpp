@@ -14,9 +14,9 @@ namespace lvsm
 // Largest rounding error of a depth in [0,1] stored in a format: half a step of 2^b - 1 equal ones for unorm,
 // half a unit in the last place below 1 for floating point. For recommendedMinVariance.
 template <typename T>
-constexpr T kDepthErrorUnorm8 = T(0.00196078431);
+constexpr T kDepthErrorUnorm8 = T(0.00196078431372549020);
 template <typename T>
-constexpr T kDepthErrorUnorm16 = T(7.62951094e-6);
+constexpr T kDepthErrorUnorm16 = T(7.62951094834821087e-6);
 template <typename T>
 constexpr T kDepthErrorFp16 = T(0.000244140625);
 template <typename T>
@@ -66,7 +66,8 @@ T variance(const glm::vec<2, T, Q>& moments, T minVariance)
 /// Upper bound on the share of the filter window that is at depth t or farther: the visibility of a receiver at t.
 /// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
 /// Result in [0,1]: 1 for t <= M1. Exact for one planar occluder over one planar receiver at t.
-/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond.
+/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond. Up to 2^-63 beyond counts as M1 itself: what float
+/// cannot resolve does not darken.
 /// Source: LVSM equation 3 (one-tailed Chebyshev inequality, also called Cantelli's).
 template <typename T, glm::qualifier Q>
 T chebyshevUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
@@ -74,13 +75,13 @@ T chebyshevUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
     const T v = variance(moments, minVariance);
     const T d = t - moments.x;
     const T tail = detail::clamp(v / detail::max(kTiny<T>, v + d * d), T(0), T(1));
-    return t > moments.x ? tail : T(1);
+    return d > kRootTiny<T> ? tail : T(1);
 }
 
 /// Lower bound on the share of the filter window that is at depth t or farther: the mirror of chebyshevUpperBound.
 /// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
 /// Result in [0,1]: 0 for t >= M1, where the inequality says nothing.
-/// Degenerate: zero variance is a step, 1 below M1 and 0 from M1 on.
+/// Degenerate: zero variance is a step, 1 below M1 and 0 from M1 on. Up to 2^-63 below counts as M1 itself.
 /// Source: LVSM equation 3 applied to -x: P(x >= t) >= 1 - v / (v + d^2).
 template <typename T, glm::qualifier Q>
 T chebyshevLowerBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
@@ -88,7 +89,7 @@ T chebyshevLowerBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
     const T v = variance(moments, minVariance);
     const T d = moments.x - t;
     const T tail = detail::clamp(v / detail::max(kTiny<T>, v + d * d), T(0), T(1));
-    return t < moments.x ? T(1) - tail : T(0);
+    return d > kRootTiny<T> ? T(1) - tail : T(0);
 }
 
 /// Upper bound on the share of the filter window that is at depth t or farther, for depths known to lie in [0,1].
@@ -126,7 +127,8 @@ T reduceLightBleeding(T visibility, T amount)
 /// Least variance floor with which rounding alone never darkens a flat lit receiver by more than a stated amount.
 /// depthError: largest error of the stored depth, in [0,1], see the kDepthError constants; add those of all passes.
 /// worstDarkening: accepted loss of visibility, in (0,1), clamped to [2^-24, 1].
-/// Result in depth squared, in [0, 2^24]; divide by the square of a layer's length with layerMinVariance.
+/// Result in the square of the stored depth's unit, in [0, 2^24]. A layer stores its warped depth: the global floor
+/// that layeredVisibility takes is the result times the square of the layer's length.
 /// Source: solves v / (v + depthError^2) = 1 - worstDarkening, LVSM equation 3, for v.
 template <typename T>
 T recommendedMinVariance(T depthError, T worstDarkening)

@@ -107,7 +107,7 @@ T largestMass(const glm::vec<4, T, Q>& basis, T y, T p)
 template <typename T, glm::qualifier Q>
 T hamburgerUpperBound(const glm::vec<4, T, Q>& moments, T t, T bias)
 {
-    using std::sqrt;
+    using glm::sqrt;
     const glm::vec<4, T, Q> basis = detail::orthogonalise(moments, bias);
     const T v = basis.y;
     const T d = basis.w;

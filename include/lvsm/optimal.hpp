@@ -307,7 +307,7 @@ template <typename T>
 OptimalResult<T> optimalSplits(const T* depths, int width, int height, T* splits, int layerCount,
                                const OptimalOptions<T>& options = {})
 {
-    using std::sqrt;
+    using glm::sqrt;
     OptimalResult<T> result;
     const auto stop = [&result](OptimalStatus status) {
         result.status = status;

@@ -52,7 +52,7 @@ glm::vec<2, T, Q> neighbourhoodMoments(const glm::vec<2, T, Q>& m00, const glm::
 template <typename T, glm::qualifier Q>
 T secondOccluder(const glm::vec<2, T, Q>& moments)
 {
-    using std::sqrt;
+    using glm::sqrt;
     return detail::clamp(moments.x + sqrt(variance(moments, T(0))), T(0), T(1));
 }
 
@@ -76,7 +76,7 @@ T occluderWeight(const glm::vec<2, T, Q>& moments, T minVariance, T maxVariance)
 template <typename T>
 int nearestSplit(T value, const T* splits, int layerCount)
 {
-    using std::abs;
+    using glm::abs;
     LVSM_ASSERT(splits != nullptr);
     if (layerCount < 2)
         return 0;

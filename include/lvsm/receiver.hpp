@@ -56,7 +56,7 @@ T planeDepth(T depth, const glm::vec<2, T, Q>& gradient, const glm::vec<2, T, QO
 template <typename T, glm::qualifier Q>
 T shiftReceiver(T depth, const glm::vec<2, T, Q>& gradient, T shift)
 {
-    using std::abs;
+    using glm::abs;
     const T slope = detail::min(T(1), abs(gradient.x)) + detail::min(T(1), abs(gradient.y));
     return detail::clamp(depth - detail::clamp(shift, T(0), T(1.0e18)) * slope, T(0), T(1));
 }
