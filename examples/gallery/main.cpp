@@ -129,7 +129,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--device", arguments.device,
                  "Part of the Vulkan device's name (default: $LVSM_VULKAN_DEVICE, or Mesa's lavapipe)");
-  app.add_option("--output", arguments.output, "Folder to write, replaced as a whole")->capture_default_str();
+  app.add_option("--output", arguments.output, "Folder to write, replaced as a whole")
+      ->take_last()
+      ->capture_default_str();
   app.add_option("--report", arguments.report, "File for the figures (default: reports/gallery.json beside the folder)");
   app.add_flag("--validation", arguments.validation, "Fail where the Vulkan validation layer complains");
   CLI11_PARSE(app, argc, argv);

@@ -1,0 +1,141 @@
+"""Runs one case: gallery_test.py CASE GALLERY PLACE_LAYERS. Exit status 77: no Vulkan device."""
+
+import html.parser
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+NO_DEVICE = 77
+SCENES = ["bench", "planes", "fence"]
+LIGHTS = ["spot", "directional"]
+BITS = {"basic": 32, "vsm": 64, "lvsm2": 64, "lvsm4": 128, "evsm4": 128}
+OTHER_MODEL = "/usr/share/glmark2/models/horse.3ds"
+PNG = b"\x89PNG\r\n\x1a\n"
+
+gallery, place_layers = sys.argv[2:4]
+
+
+class Pictures(html.parser.HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.names = []
+
+    def handle_starttag(self, tag, attributes):
+        if tag == "img":
+            self.names.append(dict(attributes)["src"])
+
+
+def run(*arguments):
+    done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    print(done.stdout, done.stderr, sep="", end="")
+    return done
+
+
+def run_gallery(folder, *arguments):
+    return run(gallery, "--size", "192", "--output", str(folder / "gallery"), *arguments)
+
+
+def render(folder, *arguments):
+    done = run_gallery(folder, "--validation", *arguments)
+    if done.returncode == NO_DEVICE:
+        sys.exit(NO_DEVICE)
+    assert done.returncode == 0, f"exit status {done.returncode}"
+    assert "100 %" in done.stderr, "no progress"
+    return json.loads((folder / "reports/gallery.json").read_text())
+
+
+def names_in(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
+
+
+def expect_refusal(folder, done, named):
+    assert done.returncode != 0 and named in done.stderr, "no clear error"
+    assert names_in(folder) == [], f"left behind: {names_in(folder)}"
+
+
+def bleedsInVsmAndNotInFourLayersOrExponential(folder):
+    rows = render(folder)
+    found = [(row["scene"], row["light"], row["technique"], row["bits"]) for row in rows]
+    assert found == [(s, l, t, b) for s in SCENES for l in LIGHTS for t, b in BITS.items()], found
+    for row in rows:
+        assert all(0 <= row[figure] <= 1 for figure in ("rmse", "bleed", "dark")), row
+    for light in LIGHTS:
+        behind = {row["technique"]: row["shield_bleed"] for row in rows
+                  if (row["scene"], row["light"]) == ("bench", light)}
+        assert behind["vsm"] > 0.1, behind
+        assert behind["lvsm4"] < 0.01 and behind["evsm4"] < 0.001, behind
+
+    page = Pictures()
+    page.feed((folder / "gallery/index.html").read_text())
+    written = [name for name in names_in(folder / "gallery") if name != "index.html"]
+    assert sorted(page.names) == written, "the page and the folder differ"
+    for name in written:
+        assert (folder / "gallery" / name).read_bytes().startswith(PNG), name
+
+
+def exitStatusSaysThatBleedingIsNotShown(folder):
+    # So coarse a map that the blur leaves no ground in the bench's full shadow.
+    done = run_gallery(folder, "--map-size", "32")
+    if done.returncode == NO_DEVICE:
+        sys.exit(NO_DEVICE)
+    assert done.returncode == 3 and "DOES NOT HOLD" in done.stderr
+    assert "does not hold" in (folder / "gallery/index.html").read_text()
+
+
+def rendersAnotherModel(folder):
+    render(folder, OTHER_MODEL)
+    assert "horse.3ds" in (folder / "gallery/index.html").read_text()
+
+
+def missingModelIsNamedAndNothingIsWritten(folder):
+    expect_refusal(folder, run_gallery(folder, "/nowhere/teapot.obj"), "/nowhere/teapot.obj")
+
+
+def brokenModelIsNamedAndNothingIsWritten(folder):
+    with tempfile.TemporaryDirectory() as models:
+        broken = {
+            "text.obj": b"this is no model\n",
+            "cut.ply": b"ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nend_header\n",
+            "points.obj": b"v 0 0 0\nv 1 0 0\np 1 2\n",
+            "infinite.obj": b"v inf 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n",
+            "flat.obj": b"v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n",
+            "unknown.format": b"\0\1\2\3",
+        }
+        for name, content in broken.items():
+            path = pathlib.Path(models) / name
+            path.write_bytes(content)
+            expect_refusal(folder, run_gallery(folder, str(path)), str(path))
+
+
+def failureKeepsTheOldPage(folder):
+    old = folder / "gallery/index.html"
+    old.parent.mkdir()
+    old.write_text("old page")
+    assert run_gallery(folder, "/nowhere/teapot.obj").returncode != 0
+    assert names_in(folder) == ["gallery", "gallery/index.html"] and old.read_text() == "old page"
+
+
+def missingDeviceIsNamedAndNothingIsWritten(folder):
+    done = run_gallery(folder, "--device", "no such device")
+    expect_refusal(folder, done, "Vulkan")
+
+
+def placeLayersPrintsRisingSplits(_):
+    done = run(place_layers, "--layers", "3")
+    assert done.returncode == 0
+    intervals = [line.split()[3::2] for line in done.stdout.splitlines() if line.startswith("layer ")]
+    edges = [float(begin) for begin, _ in intervals] + [float(intervals[-1][1])]
+    assert len(edges) == 4 and edges == sorted(edges) and edges[0] == 0 and edges[-1] == 1, edges
+
+
+def placeLayersNamesABrokenImage(folder):
+    broken = folder / "broken.png"
+    broken.write_bytes(PNG)
+    done = run(place_layers, str(broken))
+    assert done.returncode != 0 and str(broken) in done.stderr
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    globals()[sys.argv[1]](pathlib.Path(scratch))
