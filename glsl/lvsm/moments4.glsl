@@ -46,16 +46,15 @@ vec4 lvsm_encodeMoments4(vec4 moments)
 }
 
 /// Four moments out of the basis that loses least to 16 bits.
-/// encoded: as encodeMoments4 made it, filtered, in [0,1], clamped to it. Result: four moments, each in [-1,1].
+/// encoded: as encodeMoments4 made it, filtered. Result: four moments, each in [-1,1].
 /// Source: JCGT section 2, the inverse of the optimised quantisation transform.
 vec4 lvsm_decodeMoments4(vec4 encoded)
 {
-    vec4 valid = clamp(encoded, 0.0, 1.0);
-    vec2 odd = valid.xz - 0.5;
+    vec2 odd = encoded.xz - 0.5;
     return lvsm_boxedMoments4(vec4(1.73205081 * odd.y - 0.333333333 * odd.x,
-                                   valid.w + 0.125 * valid.y,
+                                   encoded.w + 0.125 * encoded.y,
                                    1.29903811 * odd.y - 0.75 * odd.x,
-                                   valid.w - 0.125 * valid.y));
+                                   encoded.w - 0.125 * encoded.y));
 }
 
 // The orthogonal polynomials of a distribution with four moments, in y = x - mean: 1, y and P(y) = y^2 - skew y - v,
@@ -65,12 +64,12 @@ vec4 lvsm_decodeMoments4(vec4 encoded)
 vec4 lvsm_orthogonalise(vec4 moments, float bias)
 {
     float share = clamp(bias, 0.0, 1.0);
-    vec4 b = (1.0 - share) * lvsm_boxedMoments4(moments) + vec4(0.0, 0.63, 0.0, 0.63) * share;
-    LVSM_PRECISE float difference = b.y - b.x * b.x;
-    LVSM_PRECISE float e = b.z - b.x * b.y;
-    float v = max(difference, 9.09494702e-13);
+    vec4 valid = lvsm_boxedMoments4(moments);
+    vec4 b = valid + share * (vec4(0.0, 0.63, 0.0, 0.63) - valid);
+    float v = max(b.y - b.x * b.x, 9.09494702e-13);
+    float e = b.z - b.x * b.y;
     float slope = e / v;
-    LVSM_PRECISE float norm = (b.w - b.y * b.y) - e * slope;
+    float norm = (b.w - b.y * b.y) - e * slope;
     return vec4(b.x, v, clamp(slope - (b.x + b.x), -2.0, 2.0), clamp(norm, 8.67361738e-19, 1.0));
 }
 
@@ -96,15 +95,14 @@ float lvsm_hamburgerUpperBound(vec4 moments, float t, float bias)
     float d = basis.w;
     float y = clamp(t, -1.0, 1.0) - basis.x;
     float p = y * y - basis.z * y - v;
-    float mass = lvsm_largestMass(basis, y, p);
-    if (p >= 0.0)
-        return y > 0.0 ? clamp(mass, 0.0, 1.0) : 1.0;
+    float mass = clamp(lvsm_largestMass(basis, y, p), 0.0, 1.0);
 
-    // One root on each side of t. In p x^2 + 2 half x + (d - v p) nothing cancels, for p < 0.
+    // Where P is negative at t, there is a root on each side of it. In p x^2 + 2 middle x + (d - v p) nothing cancels.
     float middle = 0.5 * (d * y / v - basis.z * p);
     float root = sqrt(max(middle * middle - p * (d - v * p), LVSM_TINY));
     float skewed = (mass * y * p - (1.0 - mass) * middle) / root;
-    return clamp(0.5 * (1.0 + mass + skewed), 0.0, 1.0);
+    float between = clamp(0.5 * (1.0 + mass + skewed), 0.0, 1.0);
+    return p < 0.0 ? between : y > 0.0 ? mass : 1.0;
 }
 
 /// Visibility of a receiver from four moments (MSM4): an upper bound on the lit share of the filter window.
@@ -113,7 +111,7 @@ float lvsm_hamburgerUpperBound(vec4 moments, float t, float bias)
 /// Source: JCGT section 2.
 float lvsm_momentVisibility4(vec4 moments, float depth, float bias)
 {
-    return lvsm_hamburgerUpperBound(moments, lvsm_signedDepth(depth), bias);
+    return lvsm_hamburgerUpperBound(moments, 2.0 * depth - 1.0, bias);
 }
 
 /// Four moments to store in a layer for one depth.

@@ -133,27 +133,31 @@ float lvsm_bracketedBoundedVisibility(float2 front, float2 moments, float2 behin
 /// Source: bracketedVisibility for the layer that holds the receiver, both sides multiplied by the layer's length.
 float lvsm_bracketedVisibility2(float4 texel, float depth, float split, float minVariance)
 {
-    // From the far end of the range the layer in front is what the layer behind is from the near end, so that one
-    // division serves both: the share of the other layer that is off the end they have in common.
-    bool isBehind = depth >= split;
+    // Depths are counted from the split, in units of depth, and negative in front of it: then what holds for the layer
+    // behind the split holds for the one in front, and one division gives the share in the other layer.
     float middle = clamp(split, 0.0, 1.0);
-    float begin = isBehind ? middle : 0.0;
-    float extent = isBehind ? 1.0 - middle : middle;
-    float m1 = isBehind ? texel.z : texel.x;
-    float m2 = isBehind ? texel.w : texel.y;
-    float other1 = isBehind ? 1.0 - texel.x : texel.z;
-    LVSM_PRECISE float other2 = isBehind ? texel.y - 1.0 + 2.0 * other1 : texel.w;
+    bool isBehind = depth >= middle;
+    float front1 = 1.0 - texel.x;
+    float front2 = texel.y - 1.0 + 2.0 * front1;
+    float own1 = isBehind ? texel.z : front1;
+    float own2 = isBehind ? texel.w : front2;
+    float other1 = isBehind ? front1 : texel.z;
+    float other2 = isBehind ? front2 : texel.w;
+    float reach = isBehind ? 1.0 - middle : -middle;
+    float squared = reach * reach;
 
-    float squared = extent * extent;
-    float least = clamp(minVariance, 0.0, 0.25 * squared);
-    float share = lvsm_shareAboveZero(other1 * extent, other2 * squared, least);
-    float lit = isBehind ? 0.0 : share;
-    float left = 1.0 - share;
-    float left1 = extent * (m1 - lit);
-    LVSM_PRECISE float difference = left * (squared * (m2 - lit)) - left1 * left1;
-    float v = max(difference, left * least);
-    float d = left * (clamp(depth, 0.0, 1.0) - begin) - left1;
-    float tail = v / max(v + d * d, LVSM_TINY);
+    float away1 = clamp(other1 * abs(reach), 0.0, 1.0);
+    float away2 = clamp(other2 * squared, 0.0, 1.0);
+    float share = away1 * (away1 / max(max(away2, away1 * away1 + minVariance), LVSM_TINY));
+    float away = clamp(share, 0.0, 1.0);
+    float lit = isBehind ? 0.0 : away;
+    float left = 1.0 - away;
+
+    // V and d of chebyshevUpperBound times left and left^2, so that nothing is divided by left.
+    float mean = reach * own1;
+    float v = max(max(left * (squared * own2) - mean * mean, left * minVariance), LVSM_TINY);
+    float d = left * (depth - middle) - mean;
+    float tail = v / (v + d * d);
     return clamp(lit + left * (d > 0.0 ? tail : 1.0), 0.0, 1.0);
 }
 

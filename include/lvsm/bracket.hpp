@@ -153,26 +153,31 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
 template <typename T, glm::qualifier Q>
 T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVariance)
 {
-    // From the far end of the range the layer in front is what the layer behind is from the near end, so that one
-    // division serves both: the share of the other layer that is off the end they have in common.
-    const bool isBehind = depth >= split;
+    // Depths are counted from the split, in units of depth, and negative in front of it: then what holds for the layer
+    // behind the split holds for the one in front, and one division gives the share in the other layer.
     const T middle = detail::clamp(split, T(0), T(1));
-    const T begin = isBehind ? middle : T(0);
-    const T extent = isBehind ? T(1) - middle : middle;
-    const T m1 = isBehind ? texel.z : texel.x;
-    const T m2 = isBehind ? texel.w : texel.y;
-    const T other1 = isBehind ? T(1) - texel.x : texel.z;
-    const T other2 = isBehind ? texel.y - T(1) + T(2) * other1 : texel.w;
+    const bool isBehind = depth >= middle;
+    const T front1 = T(1) - texel.x;
+    const T front2 = texel.y - T(1) + T(2) * front1;
+    const T own1 = isBehind ? texel.z : front1;
+    const T own2 = isBehind ? texel.w : front2;
+    const T other1 = isBehind ? front1 : texel.z;
+    const T other2 = isBehind ? front2 : texel.w;
+    const T reach = isBehind ? T(1) - middle : -middle;
+    const T squared = reach * reach;
 
-    const T squared = extent * extent;
-    const T floor = detail::clamp(minVariance, T(0), T(0.25) * squared);
-    const T share = detail::shareAboveZero(other1 * extent, other2 * squared, floor);
-    const T lit = isBehind ? T(0) : share;
-    const T left = T(1) - share;
-    const T left1 = extent * (m1 - lit);
-    const T v = detail::max(left * floor, left * (squared * (m2 - lit)) - left1 * left1);
-    const T d = left * (detail::clamp(depth, T(0), T(1)) - begin) - left1;
-    const T tail = v / detail::max(kTiny<T>, v + d * d);
+    const T away1 = detail::clamp(other1 * (reach < T(0) ? -reach : reach), T(0), T(1));
+    const T away2 = detail::clamp(other2 * squared, T(0), T(1));
+    const T share = away1 * (away1 / detail::max(kTiny<T>, detail::max(away2, away1 * away1 + minVariance)));
+    const T away = detail::clamp(share, T(0), T(1));
+    const T lit = isBehind ? T(0) : away;
+    const T left = T(1) - away;
+
+    // V and d of chebyshevUpperBound times left and left^2, so that nothing is divided by left.
+    const T mean = reach * own1;
+    const T v = detail::max(kTiny<T>, detail::max(left * minVariance, left * (squared * own2) - mean * mean));
+    const T d = left * (depth - middle) - mean;
+    const T tail = v / (v + d * d);
     return detail::clamp(lit + left * (d > T(0) ? tail : T(1)), T(0), T(1));
 }
 

@@ -49,19 +49,17 @@ glm::vec<4, T, Q> encodeMoments4(const glm::vec<4, T, Q>& moments)
 }
 
 /// Four moments out of the basis that loses least to 16 bits.
-/// encoded: as encodeMoments4 made it, filtered, in [0,1], clamped to it. Result: four moments, each in [-1,1].
+/// encoded: as encodeMoments4 made it, filtered. Result: four moments, each in [-1,1].
 /// Source: JCGT section 2, the inverse of the optimised quantisation transform.
 template <typename T, glm::qualifier Q>
 glm::vec<4, T, Q> decodeMoments4(const glm::vec<4, T, Q>& encoded)
 {
-    const T odd1 = detail::clamp(encoded.x, T(0), T(1)) - T(0.5);
-    const T even1 = detail::clamp(encoded.y, T(0), T(1));
-    const T odd2 = detail::clamp(encoded.z, T(0), T(1)) - T(0.5);
-    const T even2 = detail::clamp(encoded.w, T(0), T(1));
+    const T odd1 = encoded.x - T(0.5);
+    const T odd2 = encoded.z - T(0.5);
     return {detail::clamp(T(1.73205081) * odd2 - T(0.333333333) * odd1, T(-1), T(1)),
-            detail::clamp(even2 + T(0.125) * even1, T(0), T(1)),
+            detail::clamp(encoded.w + T(0.125) * encoded.y, T(0), T(1)),
             detail::clamp(T(1.29903811) * odd2 - T(0.75) * odd1, T(-1), T(1)),
-            detail::clamp(even2 - T(0.125) * even1, T(0), T(1))};
+            detail::clamp(encoded.w - T(0.125) * encoded.y, T(0), T(1))};
 }
 
 namespace detail
@@ -75,10 +73,14 @@ template <typename T, glm::qualifier Q>
 glm::vec<4, T, Q> orthogonalise(const glm::vec<4, T, Q>& moments, T bias)
 {
     const T share = clamp(bias, T(0), T(1));
-    const T b1 = (T(1) - share) * clamp(moments.x, T(-1), T(1));
-    const T b2 = (T(1) - share) * clamp(moments.y, T(0), T(1)) + T(0.63) * share;
-    const T b3 = (T(1) - share) * clamp(moments.z, T(-1), T(1));
-    const T b4 = (T(1) - share) * clamp(moments.w, T(0), T(1)) + T(0.63) * share;
+    const T odd1 = clamp(moments.x, T(-1), T(1));
+    const T even1 = clamp(moments.y, T(0), T(1));
+    const T odd2 = clamp(moments.z, T(-1), T(1));
+    const T even2 = clamp(moments.w, T(0), T(1));
+    const T b1 = odd1 - share * odd1;
+    const T b2 = even1 + share * (T(0.63) - even1);
+    const T b3 = odd2 - share * odd2;
+    const T b4 = even2 + share * (T(0.63) - even2);
     const T v = max(T(9.0949470177292824e-13), b2 - b1 * b1);
     const T e = b3 - b1 * b2;
     const T slope = e / v;
@@ -113,15 +115,14 @@ T hamburgerUpperBound(const glm::vec<4, T, Q>& moments, T t, T bias)
     const T d = basis.w;
     const T y = detail::clamp(t, T(-1), T(1)) - basis.x;
     const T p = y * y - basis.z * y - v;
-    const T mass = detail::largestMass(basis, y, p);
-    if (p >= T(0))
-        return y > T(0) ? detail::clamp(mass, T(0), T(1)) : T(1);
+    const T mass = detail::clamp(detail::largestMass(basis, y, p), T(0), T(1));
 
-    // One root on each side of t. In p x^2 + 2 half x + (d - v p) nothing cancels, for p < 0.
+    // Where P is negative at t, there is a root on each side of it. In p x^2 + 2 half x + (d - v p) nothing cancels.
     const T half = T(0.5) * (d * y / v - basis.z * p);
     const T root = sqrt(detail::max(kTiny<T>, half * half - p * (d - v * p)));
     const T skewed = (mass * y * p - (T(1) - mass) * half) / root;
-    return detail::clamp(T(0.5) * (T(1) + mass + skewed), T(0), T(1));
+    const T between = detail::clamp(T(0.5) * (T(1) + mass + skewed), T(0), T(1));
+    return p < T(0) ? between : y > T(0) ? mass : T(1);
 }
 
 /// Visibility of a receiver from four moments (MSM4): an upper bound on the lit share of the filter window.
@@ -131,7 +132,7 @@ T hamburgerUpperBound(const glm::vec<4, T, Q>& moments, T t, T bias)
 template <typename T, glm::qualifier Q>
 T momentVisibility4(const glm::vec<4, T, Q>& moments, T depth, T bias)
 {
-    return hamburgerUpperBound(moments, signedDepth(depth), bias);
+    return hamburgerUpperBound(moments, T(2) * depth - T(1), bias);
 }
 
 /// Four moments to store in a layer for one depth.
