@@ -34,8 +34,8 @@ DepthImage makeDepths() {
   DepthImage image{128, 128, {}};
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const bool leaf = (x * 7 + y * 13) % 31 < 6;
-      const bool board = x % 32 < 12;
+      const bool leaf = (x / 11 + y / 7) % 3 == 0;
+      const bool board = y % 64 < 24;
       image.depths.push_back(leaf ? 0.2f : board ? 0.75f : 0.9f);
     }
   }
