@@ -1,0 +1,171 @@
+#include "kernels.hpp"
+
+#include "../parity/kernel.hpp"
+
+#include <lvsm/config.hpp>
+
+#include <cfloat>
+
+namespace cost
+{
+namespace
+{
+
+const char* const kLibrary = "#include \"lvsm/lvsm.glsl\"\n";
+
+// Sums of everything that an argument holds.
+const char* const kTotals = R"(
+float total(float x) { return x; }
+float total(int x) { return float(x); }
+float total(vec2 x) { return x.x + x.y; }
+float total(vec3 x) { return x.x + x.y + x.z; }
+float total(vec4 x) { return x.x + x.y + x.z + x.w; }
+float total(ivec2 x) { return float(x.x + x.y); }
+float total(float x[LVSM_MAX_LAYERS + 1])
+{
+    float sum = 0.0;
+    for (int i = 0; i <= LVSM_MAX_LAYERS; ++i)
+        sum += x[i];
+    return sum;
+}
+)";
+
+std::vector<std::string> splitArguments(const std::string& list)
+{
+    std::vector<std::string> arguments(1);
+    int depth = 0;
+    for (char c : list.substr(1, list.size() - 2))
+    {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            arguments.emplace_back();
+        else if (c != ' ')
+            arguments.back() += c;
+    }
+    return arguments;
+}
+
+// The GLSL type of an argument as functions.def writes it.
+std::string typeOf(const std::string& argument)
+{
+    const std::string accessor = argument.substr(0, argument.find('('));
+    if (accessor == "A")
+        return "float";
+    if (accessor == "I" || accessor == "N")
+        return "int";
+    if (accessor == "IV2")
+        return "ivec2";
+    return "vec" + accessor.substr(1);
+}
+
+std::string resultType(const std::string& kind)
+{
+    if (kind == "Vec2" || kind == "Vec4" || kind == "IVec2")
+        return kind == "IVec2" ? "ivec2" : kind == "Vec2" ? "vec2" : "vec4";
+    return kind == "Int" ? "int" : "float";
+}
+
+// A function that takes a row's arguments, needs all of them, and returns what the row's function returns.
+std::string loadFunction(const parity::Row& row)
+{
+    std::string parameters;
+    std::string sum = "0.0";
+    int count = 0;
+    for (const std::string& argument : splitArguments(row.arguments))
+    {
+        const std::string name = "a" + std::to_string(count++);
+        const bool array = argument == "splits" || argument == "weights";
+        parameters += count > 1 ? ", " : "";
+        if (array)
+            parameters += (row.kind == "Splits" && argument == "splits" ? "inout float " : "float ") + name +
+                          "[LVSM_MAX_LAYERS + 1]";
+        else
+            parameters += typeOf(argument) + ' ' + name;
+        sum += " + total(" + name + ")";
+    }
+    if (row.kind == "Splits")
+        return "void lvsm_loads(" + parameters + ")\n{\n    float sum = " + sum +
+               ";\n    for (int i = 0; i <= LVSM_MAX_LAYERS; ++i)\n        a0[i] += sum;\n}\n";
+    const std::string type = resultType(row.kind);
+    return type + " lvsm_loads(" + parameters + ")\n{\n    return " + type + '(' + sum + ");\n}\n";
+}
+
+struct Estimate
+{
+    const char* name;
+    int texels;
+    const char* expression;
+};
+
+std::string estimateKernel(int texels, const std::string& statements)
+{
+    return R"(#version 450
+#extension GL_GOOGLE_include_directive : require
+)" + std::string(kLibrary) +
+           kTotals + "#define TEXELS " + std::to_string(texels) + R"(u
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 0) readonly buffer Inputs { vec4 inputs[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Outputs { float outputs[]; };
+layout(push_constant) uniform Settings
+{
+    vec2 placedInterval;
+    float placedSplit;
+};
+const float minVariance = 1.0e-5;
+const float bleeding = 0.1;
+const vec2 exponents = vec2(42.0, 10.0);
+const vec2 interval = vec2(0.25, 0.6);
+const float split = 0.4;
+const int order = 4;
+const float bias = 0.001;
+#define texel(i) inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x + 1u + uint(i)]
+void main()
+{
+    float depth = inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].x;
+)" + statements +
+           "}\n";
+}
+
+} // namespace
+
+std::vector<Kernel> functionKernels()
+{
+    const parity::Row rows[] = {
+#define FUNCTION(name, kind, arguments, domain, low, high) \
+    {#name, #kind, #arguments, #domain, low, high, nullptr, nullptr, nullptr},
+#include "../parity/functions.def"
+#undef FUNCTION
+    };
+    std::vector<Kernel> kernels;
+    for (const parity::Row& row : rows)
+    {
+        parity::Row loads = row;
+        loads.function = "loads";
+        kernels.push_back({row.function, parity::glslKernel(row, kLibrary, true),
+                           parity::glslKernel(loads, kLibrary + std::string(kTotals) + loadFunction(row), true)});
+    }
+    return kernels;
+}
+
+std::vector<Kernel> estimateKernels()
+{
+    const Estimate estimates[] = {
+#define ESTIMATE(name, texels, ...) {#name, texels, #__VA_ARGS__},
+#include "estimates.def"
+#undef ESTIMATE
+    };
+    std::vector<Kernel> kernels;
+    for (const Estimate& estimate : estimates)
+    {
+        std::string loads = "    float sum = depth;\n";
+        for (int i = 0; i < estimate.texels; ++i)
+            loads += "    sum += total(texel(" + std::to_string(i) + "));\n";
+        const std::string store = "    outputs[gl_GlobalInvocationID.x] = ";
+        kernels.push_back({estimate.name,
+                           estimateKernel(estimate.texels, store + estimate.expression + ";\n"),
+                           estimateKernel(estimate.texels, loads + store + "sum;\n")});
+    }
+    return kernels;
+}
+
+} // namespace cost

@@ -1,0 +1,240 @@
+// lvsm_cost: what each shader function and each whole visibility estimate costs on AMD GPUs, told by Mesa's compiler.
+#include "kernels.hpp"
+#include "radv.hpp"
+
+#include <shader_compiler.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace
+{
+
+using cost::Kernel;
+using cost::Radv;
+using cost::Statistics;
+using nlohmann::json;
+
+constexpr int kSkipped = 77;
+constexpr double kAllowedGrowth = 1.03;
+
+struct Options
+{
+    std::vector<std::string> targets = {"GFX1100", "NAVI21", "POLARIS10"};
+    std::string glslFolder;
+    std::string report;
+    std::string recorded;
+    bool record = false;
+};
+
+// A kernel's cost, and that of the kernel with the same loads.
+struct Cost
+{
+    std::string target;
+    std::string name;
+    Statistics whole;
+    Statistics loads;
+
+    Statistics net() const
+    {
+        return {whole.instructions - loads.instructions, whole.inverseThroughput - loads.inverseThroughput};
+    }
+};
+
+[[noreturn]] void fail(const std::string& message)
+{
+    std::fprintf(stderr, "lvsm_cost: %s\n", message.c_str());
+    std::exit(1);
+}
+
+struct Compiled
+{
+    std::string name;
+    std::vector<std::uint32_t> whole;
+    std::vector<std::uint32_t> loads;
+};
+
+std::vector<std::uint32_t> compile(const std::string& name, const std::string& text, const Options& options)
+{
+    lvsm::support::ShaderOptions shader;
+    shader.name = name;
+    shader.includeFolders = {options.glslFolder};
+    const auto spirv = lvsm::support::compileShader(text, shader);
+    if (!spirv)
+        fail(name + ":\n" + spirv.error());
+    return *spirv;
+}
+
+Statistics statistics(const Radv& radv, const std::string& name, const std::vector<std::uint32_t>& spirv)
+{
+    const auto result = radv.compile(spirv);
+    if (!result)
+        fail(name + ": " + result.error());
+    return *result;
+}
+
+json rowsOf(const std::vector<Cost>& costs)
+{
+    json rows = json::array();
+    for (const Cost& cost : costs)
+        rows.push_back({{"target", cost.target},
+                        {"name", cost.name},
+                        {"instructions", cost.net().instructions},
+                        {"inverse_throughput", cost.net().inverseThroughput},
+                        {"load_instructions", cost.loads.instructions},
+                        {"load_inverse_throughput", cost.loads.inverseThroughput}});
+    return rows;
+}
+
+void write(const std::string& path, const std::string& text)
+{
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty())
+        std::filesystem::create_directories(folder);
+    const std::string partial = path + ".partial";
+    if (!(std::ofstream(partial) << text))
+        fail("cannot write " + partial);
+    std::filesystem::rename(partial, path);
+}
+
+// One row a line, so that a change of one function is a change of one line for each target.
+std::string recordedText(const std::string& version, const std::vector<Cost>& costs)
+{
+    std::string text = "{\n\"compiler\": " + json(version).dump() + ",\n\"rows\": [\n";
+    const json rows = rowsOf(costs);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        text += rows[i].dump() + (i + 1 < rows.size() ? ",\n" : "\n");
+    return text + "]\n}\n";
+}
+
+// How many differences are failures: what has grown, what is not recorded, what is recorded but gone.
+int compareWithRecorded(const json& recorded, const std::vector<Cost>& costs)
+{
+    std::map<std::pair<std::string, std::string>, json> before;
+    for (const json& row : recorded.at("rows"))
+        before[{row.at("target"), row.at("name")}] = row;
+    int failures = 0;
+    for (const json& row : rowsOf(costs))
+    {
+        const std::string target = row.at("target");
+        const std::string name = row.at("name");
+        const auto found = before.find({target, name});
+        if (found == before.end())
+        {
+            std::printf("FAIL %s on %s is not recorded\n", name.c_str(), target.c_str());
+            ++failures;
+            continue;
+        }
+        for (const char* figure : {"instructions", "inverse_throughput"})
+        {
+            const int was = found->second.at(figure);
+            const int is = row.at(figure);
+            const bool grown = is > was && is > was * kAllowedGrowth;
+            failures += grown ? 1 : 0;
+            if (is != was)
+                std::printf("%s %s on %s: %d %s, recorded %d\n", grown ? "FAIL" : "note", name.c_str(),
+                            target.c_str(), is, figure, was);
+        }
+        before.erase(found);
+    }
+    for (const auto& [key, row] : before)
+    {
+        std::printf("FAIL %s on %s is recorded, but there is no such function\n", key.second.c_str(),
+                    key.first.c_str());
+        ++failures;
+    }
+    return failures;
+}
+
+void printTable(const std::vector<Cost>& costs, const Options& options)
+{
+    std::printf("instructions, inverse throughput; the loads taken off\n%-28s", "");
+    for (const std::string& target : options.targets)
+        std::printf(" %13s", target.c_str());
+    std::printf("\n");
+    const std::size_t count = costs.size() / options.targets.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        std::printf("%-28s", costs[i].name.c_str());
+        for (std::size_t t = 0; t < options.targets.size(); ++t)
+        {
+            const Statistics net = costs[t * count + i].net();
+            std::printf(" %6d %6d", net.instructions, net.inverseThroughput);
+        }
+        std::printf("\n");
+    }
+}
+
+// 0, or 1 where something has grown, or the status of a skip.
+int check(const std::string& version, const std::vector<Cost>& costs, const Options& options)
+{
+    const json recorded = json::parse(std::ifstream(options.recorded), nullptr, false);
+    if (recorded.is_discarded())
+        fail("cannot read " + options.recorded);
+    if (recorded.at("compiler") != version)
+    {
+        std::printf("skip: the figures recorded are those of %s, and this is %s\n",
+                    recorded.at("compiler").get<std::string>().c_str(), version.c_str());
+        return kSkipped;
+    }
+    const int failures = compareWithRecorded(recorded, costs);
+    if (failures > 0)
+        std::printf("%d failures. If they are meant, run lvsm_cost --record and commit %s with the change.\n",
+                    failures, options.recorded.c_str());
+    return failures > 0 ? 1 : 0;
+}
+
+int measure(const Options& options)
+{
+    std::vector<Compiled> kernels;
+    for (const std::vector<Kernel>& list : {cost::estimateKernels(), cost::functionKernels()})
+    {
+        for (const Kernel& kernel : list)
+            kernels.push_back({kernel.name, compile(kernel.name, kernel.text, options),
+                               compile(kernel.name + " (loads)", kernel.loads, options)});
+    }
+
+    std::vector<Cost> costs;
+    std::string version;
+    for (const std::string& target : options.targets)
+    {
+        const auto radv = Radv::open(target);
+        if (!radv)
+        {
+            std::printf("skip: %s\n", radv.error().c_str());
+            return kSkipped;
+        }
+        version = radv->version();
+        for (const Compiled& kernel : kernels)
+            costs.push_back({target, kernel.name, statistics(*radv, kernel.name, kernel.whole),
+                             statistics(*radv, kernel.name + " (loads)", kernel.loads)});
+    }
+    printTable(costs, options);
+    if (!options.report.empty())
+        write(options.report, rowsOf(costs).dump(1) + '\n');
+    if (options.record)
+        write(options.recorded, recordedText(version, costs));
+    return options.recorded.empty() || options.record ? 0 : check(version, costs, options);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    CLI::App app("Tells what the shader functions cost on AMD GPUs, by Mesa's compiler, without a GPU.");
+    app.add_option("--glsl", options.glslFolder, "folder that holds lvsm/lvsm.glsl")->required();
+    app.add_option("--targets", options.targets, "families of GPUs, as RADV_FORCE_FAMILY takes them");
+    app.add_option("--report", options.report, "JSON file to write");
+    CLI::Option* recorded =
+        app.add_option("--recorded", options.recorded, "fail where a figure is more than 3% above this file's");
+    app.add_flag("--record", options.record, "write the figures to the file of --recorded instead")->needs(recorded);
+    CLI11_PARSE(app, argc, argv);
+    return measure(options);
+}
