@@ -140,13 +140,14 @@ float lvsm_transitionWeight(float depth, float begin, float end, float width)
 }
 
 /// Visibility blended across a split.
-/// visibility: of the layer that holds the receiver. neighbour: of the layer that the sign of weight names.
-/// weight: as transitionWeight gives it, its size clamped to [0,1]. Result between visibility and neighbour.
+/// visibility: of the layer that holds the receiver. neighbour: of the layer that the sign of weight names. Both are
+/// clamped to [0,1]. weight: as transitionWeight gives it, its size clamped to [0,1].
+/// Result in [0,1]: visibility at weight 0, neighbour at a size of 1, linear between.
 /// Source: LVSM section 5, the transition region.
 float lvsm_blendTransition(float visibility, float neighbour, float weight)
 {
     float share = min(abs(weight), 1.0);
-    return visibility * (1.0 - share) + neighbour * share;
+    return clamp(visibility, 0.0, 1.0) * (1.0 - share) + clamp(neighbour, 0.0, 1.0) * share;
 }
 
 #endif

@@ -13,7 +13,7 @@
 //   minVariance  floor of the variance, in depth squared, unwarped; the functions carry it into each warp.
 //   totality     any finite arguments give a finite result in the stated range; arguments outside their range are
 //                clamped, and what is degenerate is said. Shaders promise nothing for NaN and infinity, since GPUs need
-//                not keep them; in C++ a NaN reads as the lower end of its range, so that visibility stays in [0,1].
+//                not keep them; in C++ results keep to their ranges for these too.
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //

@@ -18,6 +18,9 @@
 // Smallest normal float, 2^-126: GPUs may flush what is smaller, and promise nothing for division by it.
 static const float LVSM_TINY = 1.17549435e-38;
 
+// 2^-63, the square root of 2^-126: a smaller distance has no normal square.
+static const float LVSM_ROOT_TINY = 1.08420217e-19;
+
 // 2^126: the largest divisor for which Vulkan promises the precision of a division.
 static const float LVSM_HUGE = 8.50705917e37;
 

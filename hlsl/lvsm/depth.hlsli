@@ -7,7 +7,7 @@
 
 /// Linear step: 0 at and below lo, 1 at and above hi, linear between.
 /// x, lo, hi: any unit, the same for the three. Result in [0,1].
-/// Degenerate: an empty or inverted range is a step, 0 below hi and 1 from hi on.
+/// Degenerate: an empty or inverted range is a step, 0 below hi and 1 from hi on; one longer than 2^126 ends there.
 /// Source: Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3 (2007), section 8.4.3.
 float lvsm_linstep(float x, float lo, float hi)
 {

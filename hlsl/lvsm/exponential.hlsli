@@ -51,7 +51,8 @@ float2 lvsm_exponentialMinVariance(float minVariance, float depth, float2 expone
 /// Visibility of a receiver from the moments of the positive warp alone (EVSM2).
 /// moments: of the positive warp, filtered. depth: the receiver's, in [0,1]. exponent: of the warp, as when stored.
 /// minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], an upper bound on the lit share of the window.
+/// Result in [0,1], an upper bound on the lit share of the window. Over exponent 44 a floor can overflow the bound's
+/// divisor in fp32, close to depth 1, which darkens.
 /// Source: LVSM section 7 and equation 3.
 float lvsm_exponentialVisibility2(float2 moments, float depth, float exponent, float minVariance)
 {
@@ -63,7 +64,8 @@ float lvsm_exponentialVisibility2(float2 moments, float depth, float exponent, f
 /// Visibility of a receiver from the moments of both warps (EVSM4): the lesser of their two upper bounds.
 /// moments: as exponentialMoments made them, filtered. depth: the receiver's, in [0,1].
 /// exponents: of the two warps, as when stored. minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], an upper bound on the lit share of the window.
+/// Result in [0,1], an upper bound on the lit share of the window. Over exponent 44 a floor can overflow the bound's
+/// divisor in fp32, close to depth 0 or 1, which darkens.
 /// Source: LVSM section 7 and equation 3.
 float lvsm_exponentialVisibility4(float4 moments, float depth, float2 exponents, float minVariance)
 {
@@ -75,7 +77,8 @@ float lvsm_exponentialVisibility4(float4 moments, float depth, float2 exponents,
 
 /// Largest exponent whose moments a storage format can hold and a filter can sum.
 /// largest: the format's largest finite value, see the LVSM_LARGEST constants; less than 1 counts as 1.
-/// headRoom: how often an unnormalised filter sum holds its largest sample, >= 1 (1 for weights that sum to 1).
+/// headRoom: how often an unnormalised filter sum holds its largest sample, >= 1 (1 for weights that sum to 1). Each
+/// rounding to fp16 on the way needs 1/2048 more of it.
 /// Result in [0, 44.3614]: 5.545 for fp16 and 44.3614 for fp32 without head room.
 /// Source: headRoom e^(2c) <= largest, solved for c.
 float lvsm_maxExponent(float largest, float headRoom)

@@ -8,8 +8,8 @@
 
 // Largest rounding error of a depth in [0,1] stored in a format: half a step of 2^b - 1 equal ones for unorm,
 // half a unit in the last place below 1 for floating point. For recommendedMinVariance.
-static const float LVSM_DEPTH_ERROR_UNORM8 = 0.00196078431;
-static const float LVSM_DEPTH_ERROR_UNORM16 = 7.62951094e-6;
+static const float LVSM_DEPTH_ERROR_UNORM8 = 0.00196078431372549;
+static const float LVSM_DEPTH_ERROR_UNORM16 = 7.629510948348211e-6;
 static const float LVSM_DEPTH_ERROR_FP16 = 0.000244140625;
 static const float LVSM_DEPTH_ERROR_FP32 = 2.98023224e-8;
 
@@ -53,27 +53,28 @@ float lvsm_variance(float2 moments, float minVariance)
 /// Upper bound on the share of the filter window that is at depth t or farther: the visibility of a receiver at t.
 /// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
 /// Result in [0,1]: 1 for t <= M1. Exact for one planar occluder over one planar receiver at t.
-/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond.
+/// Degenerate: zero variance is a step, 1 up to M1 and 0 beyond. Up to 2^-63 beyond counts as M1 itself: what float
+/// cannot resolve does not darken.
 /// Source: LVSM equation 3 (one-tailed Chebyshev inequality, also called Cantelli's).
 float lvsm_chebyshevUpperBound(float2 moments, float t, float minVariance)
 {
     float v = lvsm_variance(moments, minVariance);
     float d = t - moments.x;
     float tail = clamp(v / max(v + d * d, LVSM_TINY), 0.0, 1.0);
-    return t > moments.x ? tail : 1.0;
+    return d > LVSM_ROOT_TINY ? tail : 1.0;
 }
 
 /// Lower bound on the share of the filter window that is at depth t or farther: the mirror of chebyshevUpperBound.
 /// moments: (M1, M2) filtered. t: the receiver's depth in the moments' space. minVariance: floor of the variance, >= 0.
 /// Result in [0,1]: 0 for t >= M1, where the inequality says nothing.
-/// Degenerate: zero variance is a step, 1 below M1 and 0 from M1 on.
+/// Degenerate: zero variance is a step, 1 below M1 and 0 from M1 on. Up to 2^-63 below counts as M1 itself.
 /// Source: LVSM equation 3 applied to -x: P(x >= t) >= 1 - v / (v + d^2).
 float lvsm_chebyshevLowerBound(float2 moments, float t, float minVariance)
 {
     float v = lvsm_variance(moments, minVariance);
     float d = moments.x - t;
     float tail = clamp(v / max(v + d * d, LVSM_TINY), 0.0, 1.0);
-    return t < moments.x ? 1.0 - tail : 0.0;
+    return d > LVSM_ROOT_TINY ? 1.0 - tail : 0.0;
 }
 
 /// Upper bound on the share of the filter window that is at depth t or farther, for depths known to lie in [0,1].
@@ -108,7 +109,8 @@ float lvsm_reduceLightBleeding(float visibility, float amount)
 /// Least variance floor with which rounding alone never darkens a flat lit receiver by more than a stated amount.
 /// depthError: largest error of the stored depth, in [0,1], see the LVSM_DEPTH_ERROR constants; add those of all passes.
 /// worstDarkening: accepted loss of visibility, in (0,1), clamped to [2^-24, 1].
-/// Result in depth squared, in [0, 2^24]; divide by the square of a layer's length with layerMinVariance.
+/// Result in the square of the stored depth's unit, in [0, 2^24]. A layer stores its warped depth: the global floor
+/// that layeredVisibility takes is the result times the square of the layer's length.
 /// Source: solves v / (v + depthError^2) = 1 - worstDarkening, LVSM equation 3, for v.
 float lvsm_recommendedMinVariance(float depthError, float worstDarkening)
 {

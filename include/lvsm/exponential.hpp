@@ -74,7 +74,8 @@ glm::vec<2, T, Q> exponentialMinVariance(T minVariance, T depth, const glm::vec<
 /// Visibility of a receiver from the moments of the positive warp alone (EVSM2).
 /// moments: of the positive warp, filtered. depth: the receiver's, in [0,1]. exponent: of the warp, as when stored.
 /// minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], an upper bound on the lit share of the window.
+/// Result in [0,1], an upper bound on the lit share of the window. Over exponent 44 a floor can overflow the bound's
+/// divisor in fp32, close to depth 1, which darkens.
 /// Source: LVSM section 7 and equation 3.
 template <typename T, glm::qualifier Q>
 T exponentialVisibility2(const glm::vec<2, T, Q>& moments, T depth, T exponent, T minVariance)
@@ -87,7 +88,8 @@ T exponentialVisibility2(const glm::vec<2, T, Q>& moments, T depth, T exponent, 
 /// Visibility of a receiver from the moments of both warps (EVSM4): the lesser of their two upper bounds.
 /// moments: as exponentialMoments made them, filtered. depth: the receiver's, in [0,1].
 /// exponents: of the two warps, as when stored. minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], an upper bound on the lit share of the window.
+/// Result in [0,1], an upper bound on the lit share of the window. Over exponent 44 a floor can overflow the bound's
+/// divisor in fp32, close to depth 0 or 1, which darkens.
 /// Source: LVSM section 7 and equation 3.
 template <typename T, glm::qualifier Q, glm::qualifier QE>
 T exponentialVisibility4(const glm::vec<4, T, Q>& moments, T depth, const glm::vec<2, T, QE>& exponents, T minVariance)

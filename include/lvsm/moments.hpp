@@ -16,7 +16,7 @@ namespace lvsm
 template <typename T>
 constexpr T kDepthErrorUnorm8 = T(0.00196078431372549020);
 template <typename T>
-constexpr T kDepthErrorUnorm16 = T(7.62951094834821087e-6);
+constexpr T kDepthErrorUnorm16 = T(7.62951094834821088731e-6);
 template <typename T>
 constexpr T kDepthErrorFp16 = T(0.000244140625);
 template <typename T>
