@@ -1,0 +1,138 @@
+// Numbers to test with, and the tally of tests too many for a doctest check each.
+#ifndef LVSM_TESTS_UNIT_NUMBERS_HPP
+#define LVSM_TESTS_UNIT_NUMBERS_HPP
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace lvsm::unit {
+
+template <typename T>
+using Vec2 = glm::vec<2, T>;
+template <typename T>
+using Vec3 = glm::vec<3, T>;
+template <typename T>
+using Vec4 = glm::vec<4, T>;
+
+// Truth is worked out in this type.
+using Exact = long double;
+
+// Largest relative error of one rounding.
+template <typename T>
+constexpr Exact kRoundoff = std::numeric_limits<T>::epsilon() / Exact(2);
+
+template <typename T>
+using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+
+template <typename T>
+Bits<T> bitsOf(T value) {
+  Bits<T> bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+// The standard fixes the engine's output but not the distributions'; the numbers are the same everywhere.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  int between(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+
+  // In [0,1), as fine as T holds.
+  template <typename T>
+  T unit() {
+    constexpr int digits = std::numeric_limits<T>::digits;
+    return std::ldexp(static_cast<T>(engine_() >> (64 - digits)), -digits);
+  }
+
+  // Any bit pattern, NaN and infinity included.
+  template <typename T>
+  T pattern() {
+    const auto bits = static_cast<Bits<T>>(engine_() >> (64 - 8 * sizeof(T)));
+    T value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+
+  template <typename T>
+  T finitePattern() {
+    T value = pattern<T>();
+    while (!std::isfinite(value)) value = pattern<T>();
+    return value;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Where arithmetic turns: ends, subnormals, the library's own limits, overflow, infinity and NaN.
+template <typename T>
+std::vector<T> specialValues() {
+  using Limits = std::numeric_limits<T>;
+  std::vector<T> values{T(0),
+                        T(1),
+                        T(2),
+                        T(0.25),
+                        T(0.5),
+                        T(44.3614),
+                        T(65536),
+                        T(1.0e18),
+                        T(0x1p-63),
+                        T(0x1p-126),
+                        T(0x1p-127),
+                        T(0x1p126),
+                        Limits::min(),
+                        Limits::denorm_min(),
+                        Limits::epsilon(),
+                        Limits::max(),
+                        Limits::infinity(),
+                        std::nextafter(T(1), T(0)),
+                        std::nextafter(T(1), T(2))};
+  for (std::size_t i = 0, count = values.size(); i < count; ++i) values.push_back(-values[i]);
+  values.push_back(Limits::quiet_NaN());
+  return values;
+}
+
+// Many claims of one kind: how many were made, and the values at the first that failed.
+class Tally {
+ public:
+  template <typename... Values>
+  void claim(bool holds, const Values&... values) {
+    ++claims_;
+    if (!holds && failures_++ == 0) {
+      std::ostringstream text;
+      text.precision(20);
+      ((text << values << ' '), ...);
+      first_ = text.str();
+    }
+  }
+
+  // That no claim was made must not pass either.
+  bool holds() const { return claims_ > 0 && failures_ == 0; }
+
+  std::string summary() const {
+    return std::to_string(failures_) + " of " + std::to_string(claims_) + " failed, first at " + first_;
+  }
+
+ private:
+  long claims_ = 0;
+  long failures_ = 0;
+  std::string first_;
+};
+
+}  // namespace lvsm::unit
+
+#define LVSM_CHECK_TALLY(tally) CHECK_MESSAGE((tally).holds(), (tally).summary())
+
+#endif
