@@ -9,10 +9,21 @@
 
 #include "layers.glsl"
 
-// Bias that makes up for the rounding of a storage format: the least for which no lit surface darkens visibly.
-// Source: JCGT section 2.
+// Bias that makes up for the rounding of a storage format, as published. Source: JCGT section 2. It is what
+// recommendedMoment4Bias gives for 1.6 roundings to unorm16, and for 0.9 roundings of the plain moments to fp32.
 const float LVSM_MOMENT4_BIAS_UNORM16 = 6.0e-5;
 const float LVSM_MOMENT4_BIAS_FP32 = 3.0e-7;
+
+/// Least bias with which rounding never makes the moments of a window invalid, so that their bound stays a bound.
+/// encodedError: largest error of a stored component of encodeMoments4, in [0,1], clamped to it; half a step of unorm,
+/// times one and the number of blurs that round again. For plain moments pass 2.385 times their error.
+/// Result in [0,1].
+/// Source: bias H(w) + H(error) has no negative eigenvalue, for H the Hankel matrix, w = (0, 0.63, 0, 0.63), and any
+/// error of that size.
+float lvsm_recommendedMoment4Bias(float encodedError)
+{
+    return min(4.865 * clamp(encodedError, 0.0, 1.0), 1.0);
+}
 
 /// Four moments to store for one depth: the powers of the depth remapped to [-1,1].
 /// depth: in [0,1], clamped to it. Result: (x, x^2, x^3, x^4), each in [-1,1].
@@ -60,17 +71,19 @@ vec4 lvsm_decodeMoments4(vec4 encoded)
 // The orthogonal polynomials of a distribution with four moments, in y = x - mean: 1, y and P(y) = y^2 - skew y - v,
 // of norms 1, v and d. They are what the LDL^T decomposition of the Hankel matrix holds. The moments are first mixed
 // with a share (the bias) of moments far from the boundary of the valid ones. Result: (mean, v, skew, d).
-// The skew of a distribution on [-1,1] is at most 2; v and d are kept where their products stay normal floats.
+// The skew of a distribution on [-1,1] is at most 2. The mixed-in share alone brings v to 0.63 bias and d to
+// (0.63 - 0.63^2) bias: what is less is rounding. The constants keep products normal floats where there is no bias.
 vec4 lvsm_orthogonalise(vec4 moments, float bias)
 {
     float share = clamp(bias, 0.0, 1.0);
     vec4 valid = lvsm_boxedMoments4(moments);
     vec4 b = valid + share * (vec4(0.0, 0.63, 0.0, 0.63) - valid);
-    float v = max(b.y - b.x * b.x, 9.09494702e-13);
+    float v = max(max(b.y - b.x * b.x, 0.63 * share), 9.09494702e-13);
     float e = b.z - b.x * b.y;
     float slope = e / v;
     float norm = (b.w - b.y * b.y) - e * slope;
-    return vec4(b.x, v, clamp(slope - (b.x + b.x), -2.0, 2.0), clamp(norm, 8.67361738e-19, 1.0));
+    float least = max(0.2331 * share, 8.67361738e-19);
+    return vec4(b.x, v, clamp(slope - (b.x + b.x), -2.0, 2.0), clamp(norm, least, 1.0));
 }
 
 // The most mass that such a distribution can have at a single y: one over the sum of the squared polynomials there.

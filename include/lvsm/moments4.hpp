@@ -12,12 +12,24 @@
 namespace lvsm
 {
 
-// Bias that makes up for the rounding of a storage format: the least for which no lit surface darkens visibly.
-// Source: JCGT section 2.
+// Bias that makes up for the rounding of a storage format, as published. Source: JCGT section 2. It is what
+// recommendedMoment4Bias gives for 1.6 roundings to unorm16, and for 0.9 roundings of the plain moments to fp32.
 template <typename T>
 constexpr T kMoment4BiasUnorm16 = T(6.0e-5);
 template <typename T>
 constexpr T kMoment4BiasFp32 = T(3.0e-7);
+
+/// Least bias with which rounding never makes the moments of a window invalid, so that their bound stays a bound.
+/// encodedError: largest error of a stored component of encodeMoments4, in [0,1], clamped to it; half a step of unorm,
+/// times one and the number of blurs that round again. For plain moments pass 2.385 times their error.
+/// Result in [0,1].
+/// Source: bias H(w) + H(error) has no negative eigenvalue, for H the Hankel matrix, w = (0, 0.63, 0, 0.63), and any
+/// error of that size.
+template <typename T>
+T recommendedMoment4Bias(T encodedError)
+{
+    return detail::min(T(1), T(4.865) * detail::clamp(encodedError, T(0), T(1)));
+}
 
 /// Four moments to store for one depth: the powers of the depth remapped to [-1,1].
 /// depth: in [0,1], clamped to it. Result: (x, x^2, x^3, x^4), each in [-1,1].
@@ -68,7 +80,8 @@ namespace detail
 // The orthogonal polynomials of a distribution with four moments, in y = x - mean: 1, y and P(y) = y^2 - skew y - v,
 // of norms 1, v and d. They are what the LDL^T decomposition of the Hankel matrix holds. The moments are first mixed
 // with a share (the bias) of moments far from the boundary of the valid ones. Result: (mean, v, skew, d).
-// The skew of a distribution on [-1,1] is at most 2; v and d are kept where their products stay normal floats.
+// The skew of a distribution on [-1,1] is at most 2. The mixed-in share alone brings v to 0.63 bias and d to
+// (0.63 - 0.63^2) bias: what is less is rounding. The constants keep products normal floats where there is no bias.
 template <typename T, glm::qualifier Q>
 glm::vec<4, T, Q> orthogonalise(const glm::vec<4, T, Q>& moments, T bias)
 {
@@ -81,10 +94,11 @@ glm::vec<4, T, Q> orthogonalise(const glm::vec<4, T, Q>& moments, T bias)
     const T b2 = even1 + share * (T(0.63) - even1);
     const T b3 = odd2 - share * odd2;
     const T b4 = even2 + share * (T(0.63) - even2);
-    const T v = max(T(9.0949470177292824e-13), b2 - b1 * b1);
+    const T v = max(max(T(9.0949470177292824e-13), T(0.63) * share), b2 - b1 * b1);
     const T e = b3 - b1 * b2;
     const T slope = e / v;
-    const T d = clamp((b4 - b2 * b2) - e * slope, T(8.6736173798840355e-19), T(1));
+    const T least = max(T(8.6736173798840355e-19), T(0.2331) * share);
+    const T d = clamp((b4 - b2 * b2) - e * slope, least, T(1));
     return {b1, v, clamp(slope - (b1 + b1), T(-2), T(2)), d};
 }
 

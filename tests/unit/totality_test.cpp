@@ -1,7 +1,9 @@
 // Every function stays in its documented range for whatever bits it is given, in C++ NaN and infinity included.
+#include <lvsm/bracket.hpp>
 #include <lvsm/exponential.hpp>
-#include <lvsm/layers.hpp>
+#include <lvsm/moments4.hpp>
 #include <lvsm/placement.hpp>
+#include <lvsm/receiver.hpp>
 
 #include <doctest/doctest.h>
 
@@ -13,7 +15,7 @@
 namespace lvsm::unit {
 namespace {
 
-constexpr int kWords = 12;
+constexpr int kWords = 16;
 
 template <typename T>
 struct Words {
@@ -95,6 +97,37 @@ std::vector<Row<T>> rows() {
       {"occluderWeight", 4, 0, most, [](W w) { return Results<T>{occluderWeight(w.two(0), w(2), w(3))}; }},
       {"nearestSplit", 6, 1, 3, [](W w) { return Results<T>{T(nearestSplit(w(0), &w.values[1], 4))}; }},
       {"updateSplit", 3, 0, 1, [](W w) { return Results<T>{updateSplit(w(0), w(1), w(2))}; }},
+      {"boundedUpperBound", 4, 0, 1, [](W w) { return Results<T>{boundedUpperBound(w.two(0), w(2), w(3))}; }},
+      {"mergeLayers", 6, 0, 1, [](W w) { return components(mergeLayers(w.two(0), w.two(2), w(4), w(5))); }},
+      {"compactMoments", 2, 0, 1, [](W w) { return components(compactMoments(w.two(0))); }},
+      {"expandMoments", 2, 0, 1, [](W w) { return components(expandMoments(w.two(0))); }},
+      {"bracketMoments", 7, 0, 1,
+       [](W w) { return components(bracketMoments(w.two(0), w.two(2), w.two(4), w(6))); }},
+      {"bracketedVisibility", 10, 0, 1,
+       [](W w) { return Results<T>{bracketedVisibility(w.two(0), w.two(2), w.two(4), w(6), w.two(7), w(9))}; }},
+      {"bracketedBoundedVisibility", 10, 0, 1,
+       [](W w) { return Results<T>{bracketedBoundedVisibility(w.two(0), w.two(2), w.two(4), w(6), w.two(7), w(9))}; }},
+      {"bracketedVisibility2", 7, 0, 1,
+       [](W w) { return Results<T>{bracketedVisibility2(w.four(0), w(4), w(5), w(6))}; }},
+      {"mergedVisibility", 9, 0, 1,
+       [](W w) { return Results<T>{mergedVisibility(w.two(0), w.two(2), w(4), w(5), w(6), w(7), w(8))}; }},
+      {"recommendedMoment4Bias", 1, 0, 1, [](W w) { return Results<T>{recommendedMoment4Bias(w(0))}; }},
+      {"depthMoments4", 1, -1, 1, [](W w) { return components(depthMoments4(w(0))); }},
+      {"encodeMoments4", 4, 0, 1, [](W w) { return components(encodeMoments4(w.four(0))); }},
+      {"decodeMoments4", 4, -1, 1, [](W w) { return components(decodeMoments4(w.four(0))); }},
+      {"hamburgerUpperBound", 6, 0, 1, [](W w) { return Results<T>{hamburgerUpperBound(w.four(0), w(4), w(5))}; }},
+      {"momentVisibility4", 6, 0, 1, [](W w) { return Results<T>{momentVisibility4(w.four(0), w(4), w(5))}; }},
+      {"layerMoments4", 3, -1, 1, [](W w) { return components(layerMoments4(w(0), w.two(1))); }},
+      {"layeredVisibility4", 8, 0, 1,
+       [](W w) { return Results<T>{layeredVisibility4(w.four(0), w(4), w.two(5), w(7))}; }},
+      {"bracketedVisibility4", 16, 0, 1,
+       [](W w) {
+         return Results<T>{bracketedVisibility4(w.four(0), w.four(4), w.four(8), w(12), w.two(13), w(15))};
+       }},
+      {"receiverGradient", 6, -1, 1, [](W w) { return components(receiverGradient(w.three(0), w.three(3))); }},
+      {"planeDepth", 5, 0, 1, [](W w) { return Results<T>{planeDepth(w(0), w.two(1), w.two(3))}; }},
+      {"shiftReceiver", 4, 0, 1, [](W w) { return Results<T>{shiftReceiver(w(0), w.two(1), w(3))}; }},
+      {"receiverMinVariance", 4, 0, most, [](W w) { return Results<T>{receiverMinVariance(w(0), w.two(1), w(3))}; }},
   };
 }
 
