@@ -8,136 +8,180 @@
 #include "pictures.hpp"
 #include "raster.hpp"
 
-namespace lvsm::gallery {
-namespace {
+namespace lvsm::gallery
+{
+namespace
+{
 
 using Type = vk::DescriptorType;
 
 constexpr float kAspect = 1.5f;
 constexpr vk::Format kVec4 = vk::Format::eR32G32B32A32Sfloat;
 
-View viewOf(const Camera& camera) {
-  glm::mat4 projection = glm::perspective(glm::radians(camera.fieldOfView), kAspect, 0.1f, 200.0f);
-  projection[1][1] *= -1.0f;  // Vulkan's y points down
-  return {projection * glm::lookAt(camera.eye, camera.target, {0, 1, 0}), camera.eye};
+View viewOf(const Camera& camera)
+{
+    glm::mat4 projection = glm::perspective(glm::radians(camera.fieldOfView), kAspect, 0.1f, 200.0f);
+    projection[1][1] *= -1.0f; // Vulkan's y points down
+    return {projection * glm::lookAt(camera.eye, camera.target, {0, 1, 0}), camera.eye};
 }
 
-class Progress {
- public:
-  explicit Progress(std::size_t steps) : steps_(steps) {}
+class Progress
+{
+public:
+    explicit Progress(std::size_t steps) : m_steps(steps) {}
 
-  void step(const Scene& scene, const Light& light, const std::string& what) {
-    ++done_;
-    std::fprintf(stderr, "[%3zu %%] %s, %s: %s\n", 100 * done_ / steps_, scene.title.c_str(), light.title.c_str(),
-                 what.c_str());
-  }
+    void step(const Scene& scene, const Light& light, const std::string& what)
+    {
+        ++m_done;
+        std::fprintf(stderr, "[%3zu %%] %s, %s: %s\n", 100 * m_done / m_steps, scene.title.c_str(), light.title.c_str(),
+                     what.c_str());
+    }
 
- private:
-  std::size_t steps_;
-  std::size_t done_ = 0;
+private:
+    std::size_t m_steps;
+    std::size_t m_done = 0;
 };
 
-class Renderer {
- public:
-  Renderer(const VulkanContext& gpu, const GalleryOptions& options, const std::filesystem::path& folder,
-           std::size_t sceneCount)
-      : gpu_(gpu),
-        options_(options),
-        folder_(folder),
-        shadowPass_(gpu, "shadow.frag", {vk::Format::eR32Sfloat}, true),
-        surfacePass_(gpu, "surface.frag", {kVec4, kVec4, kVec4, kVec4}, false),
-        exact_(gpu, compile("exact.comp", support::ShaderStage::Compute),
-               {Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
-                Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageImage}),
-        progress_(sceneCount * 2 * (techniques().size() + 1)) {
-    for (const Technique& technique : techniques()) {
-      runners_.push_back(std::make_unique<TechniqueRunner>(gpu, technique));
+class Renderer
+{
+public:
+    Renderer(const VulkanContext& gpu, const GalleryOptions& options, const std::filesystem::path& folder,
+             std::size_t sceneCount)
+        : m_gpu(gpu), m_options(options), m_folder(folder),
+          m_shadowPass(gpu, "shadow.frag", {vk::Format::eR32Sfloat}, true),
+          m_surfacePass(gpu, "surface.frag", {kVec4, kVec4, kVec4, kVec4}, false),
+          m_exact(gpu, compile("exact.comp", support::ShaderStage::Compute),
+                  {Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
+                   Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageImage}),
+          m_progress(sceneCount * 2 * (techniques().size() + 1))
+    {
+        for (const Technique& technique : techniques())
+        {
+            m_runners.push_back(std::make_unique<TechniqueRunner>(gpu, technique));
+        }
     }
-  }
 
-  void render(const Scene& scene, std::vector<Section>& sections) {
-    const Buffer vertices = uploadMesh(gpu_, scene.mesh);
-    const auto width = static_cast<std::uint32_t>(options_.size * kSupersampling);
-    const auto height = static_cast<std::uint32_t>(static_cast<float>(options_.size) / kAspect) * kSupersampling;
-    const std::vector<Image> surface = surfacePass_.draw(vertices, viewOf(scene.camera), {width, height}, 0.0f);
-    Picture picture{static_cast<int>(width), static_cast<int>(height), readImage<glm::vec4>(gpu_, surface[0]),
-                    readImage<glm::vec4>(gpu_, surface[1]), readImage<glm::vec4>(gpu_, surface[3])};
-    for (const Light& light : makeLights(scene)) {
-      sections.push_back(renderLight(scene, light, vertices, surface, picture));
+    void render(const Scene& scene, std::vector<Section>& sections)
+    {
+        const Buffer vertices = uploadMesh(m_gpu, scene.mesh);
+        const auto width = static_cast<std::uint32_t>(m_options.size * kSupersampling);
+        const auto height = static_cast<std::uint32_t>(static_cast<float>(m_options.size) / kAspect) * kSupersampling;
+        const std::vector<Image> surface = m_surfacePass.draw(vertices, viewOf(scene.camera), {width, height}, 0.0f);
+        Picture picture{static_cast<int>(width), static_cast<int>(height), readImage<glm::vec4>(m_gpu, surface[0]),
+                        readImage<glm::vec4>(m_gpu, surface[1]), readImage<glm::vec4>(m_gpu, surface[3])};
+        for (const Light& light : makeLights(scene))
+        {
+            sections.push_back(renderLight(scene, light, vertices, surface, picture));
+        }
     }
-  }
 
- private:
-  Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices,
-                      const std::vector<Image>& surface, const Picture& picture) {
-    const Buffer lightBlock = makeUniform(gpu_, light.block);
-    const auto mapSize = static_cast<std::uint32_t>(options_.mapSize);
-    const View lightView{light.block.viewProjection, glm::vec3(light.block.position)};
-    const std::vector<Image> maps = shadowPass_.draw(vertices, lightView, {mapSize, mapSize}, 1.0f, &lightBlock);
-    const Image& depthMap = maps[0];
-    const Truth truth = exactVisibility(lightBlock, surface, depthMap);
-    const std::vector<bool> shielded =
-        scene.shield ? shieldedGround(picture, truth, light, scene.shield->box) : std::vector<bool>();
+private:
+    // One scene under one light, and what is known about it before any technique runs.
+    struct Subject
+    {
+        const Scene& scene;
+        const Light& light;
+        const Picture& picture;
+        const Image& positions;
+        const Buffer& lightBlock;
+        const Image& depthMap;
+        const std::vector<float>& depths;
+        const Truth& truth;
+        const std::vector<bool>& shielded;
+    };
 
-    Section section{&scene, light, fileName(scene, light, "exact"), {}};
-    writeShaded(path(section.exact), picture, truth, std::vector<glm::vec2>(truth.begin(), truth.end()),
-                light.isSpot());
-    progress_.step(scene, light, "exact");
+    Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices,
+                        const std::vector<Image>& surface, const Picture& picture)
+    {
+        const Buffer lightBlock = makeUniform(m_gpu, light.block);
+        const auto mapSize = static_cast<std::uint32_t>(m_options.mapSize);
+        const View lightView{light.block.viewProjection, glm::vec3(light.block.position)};
+        const std::vector<Image> maps = m_shadowPass.draw(vertices, lightView, {mapSize, mapSize}, 1.0f, &lightBlock);
+        const std::vector<float> depths = readImage<float>(m_gpu, maps[0]);
+        const Truth truth = exactVisibility(lightBlock, surface, maps[0]);
+        const std::vector<bool> shielded =
+            scene.shield ? shieldedGround(picture, truth, light, scene.shield->box) : std::vector<bool>();
 
-    const std::vector<float> depths = readImage<float>(gpu_, depthMap);
-    for (std::size_t i = 0; i < runners_.size(); ++i) {
-      const Technique& technique = techniques()[i];
-      Row row{&technique, {}, fileName(scene, light, technique.id), fileName(scene, light, technique.id + "-error"),
-              {}, {}};
-      if (technique.layerCount > 1) row.splits = placeSplits(depths, depthMap.extent, technique.layerCount);
-      const auto visibility =
-          runners_[i]->run(lightBlock, parameters(technique, light, row.splits), depthMap, surface[0]);
-      row.figures = measure(visibility, truth, shielded);
-      writeShaded(path(row.shaded), picture, truth, visibility, light.isSpot());
-      writeErrors(path(row.errors), picture, truth, visibility);
-      if (technique.layerCount > 1) {
-        row.layers = fileName(scene, light, technique.id + "-layers");
-        writeLayers(path(row.layers), picture, truth, visibility);
-      }
-      section.rows.push_back(std::move(row));
-      progress_.step(scene, light, technique.title);
+        Section section{&scene, light, fileName(scene, light, "exact"), {}};
+        const std::vector<glm::vec2> exact(truth.begin(), truth.end());
+        writeShaded(path(section.exact), picture, truth, exact, light.isSpot());
+        m_progress.step(scene, light, "exact");
+
+        const Subject subject{scene, light, picture, surface[0], lightBlock, maps[0], depths, truth, shielded};
+        for (std::size_t i = 0; i < m_runners.size(); ++i)
+        {
+            section.rows.push_back(renderTechnique(subject, techniques()[i], *m_runners[i]));
+            m_progress.step(scene, light, techniques()[i].title);
+        }
+        return section;
     }
-    return section;
-  }
 
-  Truth exactVisibility(const Buffer& lightBlock, const std::vector<Image>& surface, const Image& depthMap) const {
-    using Usage = vk::ImageUsageFlagBits;
-    const Image result = makeImage(gpu_, kVec4, surface[0].extent, 1, Usage::eStorage | Usage::eTransferSrc);
-    exact_.run({Uniform{lightBlock}, Sampled{surface[0]}, Sampled{surface[1]}, Sampled{surface[2]}, Sampled{depthMap},
-                Storage{result}},
-               result.extent);
-    return readImage<glm::vec4>(gpu_, result);
-  }
+    Row renderTechnique(const Subject& subject, const Technique& technique, const TechniqueRunner& runner) const
+    {
+        const auto fileOf = [&](const std::string& suffix) {
+            return fileName(subject.scene, subject.light, technique.id + suffix);
+        };
+        const bool layered = technique.layerCount > 1;
+        Row row;
+        row.technique = &technique;
+        row.shaded = fileOf("");
+        row.errors = fileOf("-error");
+        if (layered)
+            row.splits = placeSplits(subject.depths, subject.depthMap.extent, technique.layerCount);
 
-  static std::string fileName(const Scene& scene, const Light& light, const std::string& what) {
-    return scene.id + "-" + light.id + "-" + what + ".png";
-  }
+        const TechniqueBlock block = parameters(technique, subject.light, row.splits);
+        const auto visibility = runner.run(subject.lightBlock, block, subject.depthMap, subject.positions);
+        row.figures = measure(visibility, subject.truth, subject.shielded);
+        writeShaded(path(row.shaded), subject.picture, subject.truth, visibility, subject.light.isSpot());
+        writeErrors(path(row.errors), subject.picture, subject.truth, visibility);
+        if (layered)
+        {
+            row.layers = fileOf("-layers");
+            writeLayers(path(row.layers), subject.picture, subject.truth, visibility);
+        }
+        return row;
+    }
 
-  std::string path(const std::string& file) const { return (folder_ / file).string(); }
+    Truth exactVisibility(const Buffer& lightBlock, const std::vector<Image>& surface, const Image& depthMap) const
+    {
+        using Usage = vk::ImageUsageFlagBits;
+        const Image result = makeImage(m_gpu, kVec4, surface[0].extent, 1, Usage::eStorage | Usage::eTransferSrc);
+        m_exact.run({Uniform{lightBlock}, Sampled{surface[0]}, Sampled{surface[1]}, Sampled{surface[2]},
+                     Sampled{depthMap}, Storage{result}},
+                    result.extent);
+        return readImage<glm::vec4>(m_gpu, result);
+    }
 
-  const VulkanContext& gpu_;
-  GalleryOptions options_;
-  std::filesystem::path folder_;
-  RasterPass shadowPass_;
-  RasterPass surfacePass_;
-  Kernel exact_;
-  std::vector<std::unique_ptr<TechniqueRunner>> runners_;
-  Progress progress_;
+    static std::string fileName(const Scene& scene, const Light& light, const std::string& what)
+    {
+        return scene.id + "-" + light.id + "-" + what + ".png";
+    }
+
+    std::string path(const std::string& file) const
+    {
+        return (m_folder / file).string();
+    }
+
+    const VulkanContext& m_gpu;
+    GalleryOptions m_options;
+    std::filesystem::path m_folder;
+    RasterPass m_shadowPass;
+    RasterPass m_surfacePass;
+    Kernel m_exact;
+    std::vector<std::unique_ptr<TechniqueRunner>> m_runners;
+    Progress m_progress;
 };
 
-}  // namespace
+} // namespace
 
 std::vector<Section> renderGallery(const VulkanContext& gpu, const std::vector<Scene>& scenes,
-                                   const GalleryOptions& options, const std::filesystem::path& folder) {
-  Renderer renderer(gpu, options, folder, scenes.size());
-  std::vector<Section> sections;
-  for (const Scene& scene : scenes) renderer.render(scene, sections);
-  return sections;
+                                   const GalleryOptions& options, const std::filesystem::path& folder)
+{
+    Renderer renderer(gpu, options, folder, scenes.size());
+    std::vector<Section> sections;
+    for (const Scene& scene : scenes)
+        renderer.render(scene, sections);
+    return sections;
 }
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery

@@ -6,12 +6,14 @@
 
 #include "page.hpp"
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
-struct GalleryOptions {
-  /// Width of the pictures in pixels; they are three wide to two high.
-  int size = 640;
-  int mapSize = 512;
+struct GalleryOptions
+{
+    /// Width of the pictures in pixels; they are three wide to two high.
+    int size = 640;
+    int mapSize = 512;
 };
 
 /// Renders every scene under every light with every technique, tells stderr how far it is, and writes the pictures
@@ -19,6 +21,6 @@ struct GalleryOptions {
 std::vector<Section> renderGallery(const VulkanContext& gpu, const std::vector<Scene>& scenes,
                                    const GalleryOptions& options, const std::filesystem::path& folder);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

@@ -10,7 +10,8 @@
 #include "gallery.hpp"
 #include "model.hpp"
 
-namespace {
+namespace
+{
 
 namespace fs = std::filesystem;
 using namespace lvsm::gallery;
@@ -24,120 +25,145 @@ constexpr int kNoDevice = 77;
 constexpr float kModelHeight = 1.0f;
 constexpr float kModelWidth = 1.3f;
 
-struct CommandLine {
-  GalleryOptions gallery;
-  std::string model = "/usr/share/glmark2/models/bunny.obj";
-  std::string device;
-  std::string output = "build/gallery";
-  std::string report;
-  bool validation = false;
+struct CommandLine
+{
+    GalleryOptions gallery;
+    std::string model = "/usr/share/glmark2/models/bunny.obj";
+    std::string device;
+    std::string output = "build/gallery";
+    std::string report;
+    bool validation = false;
 };
 
-void writeText(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+void writeText(const fs::path& path, const std::string& text)
+{
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    if (!file.flush())
+        throw std::runtime_error("cannot write " + path.string());
 }
 
 /// A folder that becomes the output all at once, or leaves no trace.
-class PendingFolder {
- public:
-  explicit PendingFolder(const fs::path& target) : target_(target), pending_(target.string() + ".partial") {
-    fs::remove_all(pending_);
-    fs::create_directories(pending_);
-  }
-  PendingFolder(const PendingFolder&) = delete;
-  PendingFolder& operator=(const PendingFolder&) = delete;
-  ~PendingFolder() {
-    std::error_code ignored;
-    fs::remove_all(pending_, ignored);
-  }
+class PendingFolder
+{
+public:
+    explicit PendingFolder(const fs::path& target) : m_target(target), m_pending(target.string() + ".partial")
+    {
+        fs::remove_all(m_pending);
+        fs::create_directories(m_pending);
+    }
+    PendingFolder(const PendingFolder&) = delete;
+    PendingFolder& operator=(const PendingFolder&) = delete;
+    ~PendingFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(m_pending, ignored);
+    }
 
-  const fs::path& path() const { return pending_; }
+    const fs::path& path() const
+    {
+        return m_pending;
+    }
 
-  void publish() {
-    const fs::path old = target_.string() + ".old";
-    fs::remove_all(old);
-    if (fs::exists(target_)) fs::rename(target_, old);
-    fs::rename(pending_, target_);
-    fs::remove_all(old);
-  }
+    void publish()
+    {
+        const fs::path old = m_target.string() + ".old";
+        fs::remove_all(old);
+        if (fs::exists(m_target))
+            fs::rename(m_target, old);
+        fs::rename(m_pending, m_target);
+        fs::remove_all(old);
+    }
 
- private:
-  fs::path target_;
-  fs::path pending_;
+private:
+    fs::path m_target;
+    fs::path m_pending;
 };
 
-void publishReport(const fs::path& path, const std::string& text) {
-  if (path.has_parent_path()) fs::create_directories(path.parent_path());
-  const fs::path pending = path.string() + ".partial";
-  writeText(pending, text);
-  fs::rename(pending, path);
+void publishReport(const fs::path& path, const std::string& text)
+{
+    if (path.has_parent_path())
+        fs::create_directories(path.parent_path());
+    const fs::path pending = path.string() + ".partial";
+    writeText(pending, text);
+    fs::rename(pending, path);
 }
 
-int complain(const std::string& message, int status) {
-  std::fprintf(stderr, "lvsm_gallery: %s\n", message.c_str());
-  return status;
+int complain(const std::string& message, int status)
+{
+    std::fprintf(stderr, "lvsm_gallery: %s\n", message.c_str());
+    return status;
 }
 
-int makeGallery(const CommandLine& arguments) {
-  const fs::path output = fs::absolute(arguments.output).lexically_normal();
-  const fs::path report =
-      arguments.report.empty() ? output.parent_path() / "reports" / "gallery.json" : fs::path(arguments.report);
+int makeGallery(const CommandLine& arguments)
+{
+    const fs::path output = fs::absolute(arguments.output).lexically_normal();
+    const fs::path report =
+        arguments.report.empty() ? output.parent_path() / "reports" / "gallery.json" : fs::path(arguments.report);
 
-  const auto model = loadModel(arguments.model, kModelHeight, kModelWidth);
-  if (!model) return complain(model.error(), kFailed);
-  support::DeviceOptions deviceOptions;
-  deviceOptions.name = arguments.device;
-  deviceOptions.validation = arguments.validation;
-  auto device = support::VulkanDevice::open(deviceOptions);
-  if (!device) return complain(device.error(), kNoDevice);
-  std::fprintf(stderr, "rendering on %s\n", device->name().device.c_str());
+    const auto model = loadModel(arguments.model, kModelHeight, kModelWidth);
+    if (!model)
+        return complain(model.error(), kFailed);
+    support::DeviceOptions deviceOptions;
+    deviceOptions.name = arguments.device;
+    deviceOptions.validation = arguments.validation;
+    auto device = support::VulkanDevice::open(deviceOptions);
+    if (!device)
+        return complain(device.error(), kNoDevice);
+    std::fprintf(stderr, "rendering on %s\n", device->name().device.c_str());
 
-  PendingFolder folder(output);
-  const std::vector<Scene> scenes{makeBench(), makePlanes(),
-                                  makeFence(*model, fs::path(arguments.model).filename().string())};
-  const auto sections = renderGallery(device->context(), scenes, arguments.gallery, folder.path());
-  const auto verdicts = judge(sections);
-  writeText(folder.path() / "index.html",
-            pageText(sections, verdicts, {device->name().device, arguments.gallery.mapSize}));
-  folder.publish();
-  publishReport(report, reportText(sections));
-  std::fprintf(stderr, "wrote %s and %s\n", (output / "index.html").c_str(), report.c_str());
+    PendingFolder folder(output);
+    const std::vector<Scene> scenes{makeBench(), makePlanes(),
+                                    makeFence(*model, fs::path(arguments.model).filename().string())};
+    const auto sections = renderGallery(device->context(), scenes, arguments.gallery, folder.path());
+    const auto verdicts = judge(sections);
+    writeText(folder.path() / "index.html",
+              pageText(sections, verdicts, {device->name().device, arguments.gallery.mapSize}));
+    folder.publish();
+    publishReport(report, reportText(sections));
+    std::fprintf(stderr, "wrote %s and %s\n", (output / "index.html").c_str(), report.c_str());
 
-  if (!device->validationMessages().empty()) return complain("the validation layer complained", kFailed);
-  int status = 0;
-  for (const Verdict& verdict : verdicts) {
-    std::fprintf(stderr, "%s %s\n", verdict.holds ? "holds:" : "DOES NOT HOLD:", verdict.sentence.c_str());
-    if (!verdict.holds) status = kVerdictsDoNotHold;
-  }
-  return status;
+    if (!device->validationMessages().empty())
+        return complain("the validation layer complained", kFailed);
+    int status = 0;
+    for (const Verdict& verdict : verdicts)
+    {
+        std::fprintf(stderr, "%s %s\n", verdict.holds ? "holds:" : "DOES NOT HOLD:", verdict.sentence.c_str());
+        if (!verdict.holds)
+            status = kVerdictsDoNotHold;
+    }
+    return status;
 }
 
-}  // namespace
+} // namespace
 
-int main(int argc, char** argv) {
-  CommandLine arguments;
-  CLI::App app("Renders the shadow techniques side by side and writes a page with pictures and figures.");
-  app.add_option("MODEL", arguments.model, "Model that stands behind the fence: any file that Assimp reads")
-      ->capture_default_str();
-  app.add_option("--size", arguments.gallery.size, "Width of the pictures in pixels")
-      ->check(CLI::Range(48, 4096))
-      ->capture_default_str();
-  app.add_option("--map-size", arguments.gallery.mapSize, "Texels along each side of the shadow map")
-      ->check(CLI::Range(32, 8192))
-      ->capture_default_str();
-  app.add_option("--device", arguments.device,
-                 "Part of the Vulkan device's name (default: $LVSM_VULKAN_DEVICE, or Mesa's lavapipe)");
-  app.add_option("--output", arguments.output, "Folder to write, replaced as a whole")
-      ->take_last()
-      ->capture_default_str();
-  app.add_option("--report", arguments.report, "File for the figures (default: reports/gallery.json beside the folder)");
-  app.add_flag("--validation", arguments.validation, "Fail where the Vulkan validation layer complains");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return makeGallery(arguments);
-  } catch (const std::exception& error) {
-    return complain(error.what(), kFailed);
-  }
+int main(int argc, char** argv)
+{
+    CommandLine arguments;
+    CLI::App app("Renders the shadow techniques side by side and writes a page with pictures and figures.");
+    app.add_option("MODEL", arguments.model, "Model that stands behind the fence: any file that Assimp reads")
+        ->capture_default_str();
+    app.add_option("--size", arguments.gallery.size, "Width of the pictures in pixels")
+        ->check(CLI::Range(48, 4096))
+        ->capture_default_str();
+    app.add_option("--map-size", arguments.gallery.mapSize, "Texels along each side of the shadow map")
+        ->check(CLI::Range(32, 8192))
+        ->capture_default_str();
+    app.add_option("--device", arguments.device,
+                   "Part of the Vulkan device's name (default: $LVSM_VULKAN_DEVICE, or Mesa's lavapipe)");
+    app.add_option("--output", arguments.output, "Folder to write, replaced as a whole")
+        ->take_last()
+        ->capture_default_str();
+    app.add_option("--report", arguments.report,
+                   "File for the figures (default: reports/gallery.json beside the folder)");
+    app.add_flag("--validation", arguments.validation, "Fail where the Vulkan validation layer complains");
+    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        return makeGallery(arguments);
+    }
+    catch (const std::exception& error)
+    {
+        return complain(error.what(), kFailed);
+    }
 }

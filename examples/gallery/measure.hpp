@@ -6,16 +6,18 @@
 
 #include "light.hpp"
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
 /// What the camera sees, one entry for each pixel, row by row from the top.
-struct Picture {
-  int width = 0;
-  int height = 0;
-  /// xyz: position; w: number of the object, 0 where there is none.
-  std::vector<glm::vec4> surface;
-  std::vector<glm::vec4> normal;
-  std::vector<glm::vec4> colour;
+struct Picture
+{
+    int width = 0;
+    int height = 0;
+    /// xyz: position; w: number of the object, 0 where there is none.
+    std::vector<glm::vec4> surface;
+    std::vector<glm::vec4> normal;
+    std::vector<glm::vec4> colour;
 };
 
 /// Exact visibility in x, arriving light in y (cosine and spot cone), 1 in z where the shadow map reaches.
@@ -23,14 +25,15 @@ using Truth = std::vector<glm::vec4>;
 
 /// Visibilities against the truth, in shares of full light. Each pixel counts by the light that arrives without
 /// shadows, as it would be seen in the picture.
-struct Figures {
-  double rmse = 0.0;
-  /// Mean of what is lighter than the truth.
-  double bleed = 0.0;
-  /// Mean of what is darker than the truth.
-  double dark = 0.0;
-  /// Mean visibility on ground that the scene's shield puts in full shadow, where 0 is right.
-  std::optional<double> behindShield;
+struct Figures
+{
+    double rmse = 0.0;
+    /// Mean of what is lighter than the truth.
+    double bleed = 0.0;
+    /// Mean of what is darker than the truth.
+    double dark = 0.0;
+    /// Mean visibility on ground that the scene's shield puts in full shadow, where 0 is right.
+    std::optional<double> behindShield;
 };
 
 /// Pixels of ground in the full shadow of the shield.
@@ -38,6 +41,6 @@ std::vector<bool> shieldedGround(const Picture& picture, const Truth& truth, con
 
 Figures measure(const std::vector<glm::vec2>& visibility, const Truth& truth, const std::vector<bool>& shielded);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

@@ -5,29 +5,39 @@
 
 #include <glm/glm.hpp>
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
 /// Objects that the figures tell apart.
-enum class Object { Ground = 1, Other = 2 };
+enum class Object
+{
+    Ground = 1,
+    Other = 2
+};
 
 /// One corner of a triangle. `normal` shades, `faceNormal` is the triangle's own plane.
-struct Vertex {
-  glm::vec3 position;
-  glm::vec3 normal;
-  glm::vec3 faceNormal;
-  glm::vec3 colour;
-  float object;
+struct Vertex
+{
+    glm::vec3 position;
+    glm::vec3 normal;
+    glm::vec3 faceNormal;
+    glm::vec3 colour;
+    float object;
 };
 
 /// Triangles, three vertices each.
 using Mesh = std::vector<Vertex>;
 
-struct Box {
-  glm::vec3 low;
-  glm::vec3 high;
+struct Box
+{
+    glm::vec3 low;
+    glm::vec3 high;
 
-  glm::vec3 centre() const { return 0.5f * (low + high); }
-  glm::vec3 corner(int index) const;
+    glm::vec3 centre() const
+    {
+        return 0.5f * (low + high);
+    }
+    glm::vec3 corner(int index) const;
 };
 
 void addTriangle(Mesh& mesh, const glm::vec3 (&corners)[3], const glm::vec3 (&normals)[3], glm::vec3 colour,
@@ -45,6 +55,6 @@ void addBar(Mesh& mesh, glm::vec3 from, glm::vec3 to, float radiusFrom, float ra
 /// A square of ground at height 0.
 void addGround(Mesh& mesh, float halfWidth, glm::vec3 colour);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

@@ -7,35 +7,40 @@
 #include "measure.hpp"
 #include "techniques.hpp"
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
 /// One technique's pictures and figures; the pictures are named relative to the page.
-struct Row {
-  const Technique* technique;
-  Figures figures;
-  std::string shaded;
-  std::string errors;
-  /// Empty for techniques of one layer.
-  std::string layers;
-  std::vector<float> splits;
+struct Row
+{
+    const Technique* technique = nullptr;
+    Figures figures;
+    std::string shaded;
+    std::string errors;
+    /// Empty for techniques of one layer.
+    std::string layers;
+    std::vector<float> splits;
 };
 
-struct Section {
-  const Scene* scene;
-  Light light;
-  std::string exact;
-  std::vector<Row> rows;
+struct Section
+{
+    const Scene* scene;
+    Light light;
+    std::string exact;
+    std::vector<Row> rows;
 };
 
 /// What one automatic comparison of the figures said.
-struct Verdict {
-  bool holds;
-  std::string sentence;
+struct Verdict
+{
+    bool holds;
+    std::string sentence;
 };
 
-struct Setup {
-  std::string device;
-  int mapSize;
+struct Setup
+{
+    std::string device;
+    int mapSize;
 };
 
 std::string pageText(const std::vector<Section>& sections, const std::vector<Verdict>& verdicts, const Setup& setup);
@@ -44,6 +49,6 @@ std::string reportText(const std::vector<Section>& sections);
 /// Whether bleeding is large in VSM and gone in LVSM-4 and EVSM4, where the bench shields the ground.
 std::vector<Verdict> judge(const std::vector<Section>& sections);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

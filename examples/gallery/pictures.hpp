@@ -7,7 +7,8 @@
 
 #include "measure.hpp"
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
 /// Sub-pixels of the camera's picture along each side of a pixel of the written file.
 constexpr int kSupersampling = 2;
@@ -27,6 +28,6 @@ void writeErrors(const std::string& path, const Picture& picture, const Truth& t
 void writeLayers(const std::string& path, const Picture& picture, const Truth& truth,
                  const std::vector<glm::vec2>& visibility);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

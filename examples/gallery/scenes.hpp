@@ -7,32 +7,36 @@
 
 #include "mesh.hpp"
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
-struct Camera {
-  glm::vec3 eye;
-  glm::vec3 target;
-  float fieldOfView;
+struct Camera
+{
+    glm::vec3 eye;
+    glm::vec3 target;
+    float fieldOfView;
 };
 
 /// Something solid between the light and the ground. All the ground in its full shadow should be dark, so any
 /// visibility that a technique reports there is light bleeding.
-struct Shield {
-  std::string name;
-  Box box;
+struct Shield
+{
+    std::string name;
+    Box box;
 };
 
-struct Scene {
-  std::string id;
-  std::string title;
-  std::string description;
-  Mesh mesh;
-  Camera camera;
-  /// What the lights must cover.
-  Box focus;
-  /// The way the directional light travels, unit length; the spot light comes from the same side.
-  glm::vec3 lightDirection;
-  std::optional<Shield> shield;
+struct Scene
+{
+    std::string id;
+    std::string title;
+    std::string description;
+    Mesh mesh;
+    Camera camera;
+    /// What the lights must cover.
+    Box focus;
+    /// The way the directional light travels, unit length; the spot light comes from the same side.
+    glm::vec3 lightDirection;
+    std::optional<Shield> shield;
 };
 
 /// The paper's figure 2: plane A over plane B over the ground C.
@@ -44,6 +48,6 @@ Scene makeBench();
 /// A model on the ground behind a fence.
 Scene makeFence(const Mesh& model, const std::string& modelName);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

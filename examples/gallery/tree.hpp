@@ -3,11 +3,12 @@
 
 #include "mesh.hpp"
 
-namespace lvsm::gallery {
+namespace lvsm::gallery
+{
 
 /// A leafy tree with its trunk's foot at `foot`, always the same one.
 void addTree(Mesh& mesh, glm::vec3 foot);
 
-}  // namespace lvsm::gallery
+} // namespace lvsm::gallery
 
 #endif

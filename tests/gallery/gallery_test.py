@@ -70,7 +70,7 @@ def bleedsInVsmAndNotInFourLayersOrExponential(folder):
     page = Pictures()
     page.feed((folder / "gallery/index.html").read_text())
     written = [name for name in names_in(folder / "gallery") if name != "index.html"]
-    assert sorted(page.names) == written, "the page and the folder differ"
+    assert sorted(set(page.names)) == written, "the page and the folder differ"
     for name in written:
         assert (folder / "gallery" / name).read_bytes().startswith(PNG), name
 

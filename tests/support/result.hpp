@@ -5,31 +5,52 @@
 #include <string>
 #include <utility>
 
-namespace lvsm::support {
+namespace lvsm::support
+{
 
-struct Failure {
-  std::string message;
+struct Failure
+{
+    std::string message;
 };
 
 /// A value, or the reason why there is none.
 template <typename T>
-class Result {
- public:
-  Result(T value) : value_(std::move(value)) {}
-  Result(Failure failure) : error_(std::move(failure.message)) {}
+class Result
+{
+public:
+    Result(T value) : m_value(std::move(value)) {}
+    Result(Failure failure) : m_error(std::move(failure.message)) {}
 
-  explicit operator bool() const { return value_.has_value(); }
-  T& operator*() { return *value_; }
-  const T& operator*() const { return *value_; }
-  T* operator->() { return &*value_; }
-  const T* operator->() const { return &*value_; }
-  const std::string& error() const { return error_; }
+    explicit operator bool() const
+    {
+        return m_value.has_value();
+    }
+    T& operator*()
+    {
+        return *m_value;
+    }
+    const T& operator*() const
+    {
+        return *m_value;
+    }
+    T* operator->()
+    {
+        return &*m_value;
+    }
+    const T* operator->() const
+    {
+        return &*m_value;
+    }
+    const std::string& error() const
+    {
+        return m_error;
+    }
 
- private:
-  std::optional<T> value_;
-  std::string error_;
+private:
+    std::optional<T> m_value;
+    std::string m_error;
 };
 
-}  // namespace lvsm::support
+} // namespace lvsm::support
 
 #endif

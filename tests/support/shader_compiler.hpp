@@ -7,21 +7,32 @@
 
 #include "result.hpp"
 
-namespace lvsm::support {
+namespace lvsm::support
+{
 
-enum class ShaderStage { Vertex, Fragment, Compute };
-enum class ShaderLanguage { Glsl, Hlsl };
+enum class ShaderStage
+{
+    Vertex,
+    Fragment,
+    Compute
+};
+enum class ShaderLanguage
+{
+    Glsl,
+    Hlsl
+};
 
-struct ShaderOptions {
-  ShaderStage stage = ShaderStage::Compute;
-  ShaderLanguage language = ShaderLanguage::Glsl;
-  std::string entryPoint = "main";
-  /// Lines put before the text (in GLSL after `#version`), such as "#define CALL f(x)\n".
-  std::string preamble;
-  /// Where `#include` looks, after the folder of the including file. Empty: `#include` is an error.
-  std::vector<std::string> includeFolders;
-  /// What errors call the text.
-  std::string name = "shader";
+struct ShaderOptions
+{
+    ShaderStage stage = ShaderStage::Compute;
+    ShaderLanguage language = ShaderLanguage::Glsl;
+    std::string entryPoint = "main";
+    /// Lines put before the text (in GLSL after `#version`), such as "#define CALL f(x)\n".
+    std::string preamble;
+    /// Where `#include` looks, after the folder of the including file. Empty: `#include` is an error.
+    std::vector<std::string> includeFolders;
+    /// What errors call the text.
+    std::string name = "shader";
 };
 
 /// Compiles GLSL or HLSL with glslang to SPIR-V for Vulkan 1.1; the error is the compiler's log.
@@ -30,6 +41,6 @@ Result<std::vector<std::uint32_t>> compileShader(const std::string& text, const 
 /// Compiles a file; its own folder comes first among the include folders.
 Result<std::vector<std::uint32_t>> compileShaderFile(const std::string& path, ShaderOptions options);
 
-}  // namespace lvsm::support
+} // namespace lvsm::support
 
 #endif

@@ -11,28 +11,31 @@
 
 #include "vulkan_device.hpp"
 
-namespace lvsm::support {
+namespace lvsm::support
+{
 
 /// What VulkanDevice holds. Members are destroyed from last to first.
-struct VulkanContext {
-  DeviceName name;
-  std::vector<std::string> validationMessages;
-  vk::raii::Context loader;
-  vk::raii::Instance instance{nullptr};
-  vk::raii::DebugUtilsMessengerEXT messenger{nullptr};
-  vk::raii::PhysicalDevice physical{nullptr};
-  vk::raii::Device device{nullptr};
-  std::uint32_t queueFamily = 0;
-  vk::raii::Queue queue{nullptr};
-  vk::raii::CommandPool commandPool{nullptr};
+struct VulkanContext
+{
+    DeviceName name;
+    std::vector<std::string> validationMessages;
+    vk::raii::Context loader;
+    vk::raii::Instance instance{nullptr};
+    vk::raii::DebugUtilsMessengerEXT messenger{nullptr};
+    vk::raii::PhysicalDevice physical{nullptr};
+    vk::raii::Device device{nullptr};
+    std::uint32_t queueFamily = 0;
+    vk::raii::Queue queue{nullptr};
+    vk::raii::CommandPool commandPool{nullptr};
 };
 
 /// A buffer in memory that the host sees, mapped for its whole life.
-struct Buffer {
-  vk::raii::DeviceMemory memory{nullptr};
-  vk::raii::Buffer buffer{nullptr};
-  std::byte* data = nullptr;
-  std::size_t size = 0;
+struct Buffer
+{
+    vk::raii::DeviceMemory memory{nullptr};
+    vk::raii::Buffer buffer{nullptr};
+    std::byte* data = nullptr;
+    std::size_t size = 0;
 };
 
 /// The index of a memory type among `typeBits` that has the wanted properties.
@@ -46,6 +49,6 @@ vk::raii::ShaderModule makeShader(const VulkanContext& context, const std::vecto
 /// later submissions see what they wrote.
 void submit(const VulkanContext& context, const std::function<void(vk::raii::CommandBuffer&)>& record);
 
-}  // namespace lvsm::support
+} // namespace lvsm::support
 
 #endif
