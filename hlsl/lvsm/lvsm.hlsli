@@ -18,7 +18,8 @@
 //                parameters in the same order.
 //
 // Topics: depth, moments, layers, bracket, moments4, exponential, placement, receiver, esm, convolution, pcf, filter.
-// A whole use:
+// Beside them, and not included here: sampling/ reads maps from textures, passes/ holds whole shaders that make maps and
+// blur them. A whole use:
 //
 // HLSL
 //

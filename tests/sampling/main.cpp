@@ -1,0 +1,179 @@
+// lvsm_sampling: runs the sampling wrappers, or the ready passes, in one form on every device.
+#include "checks.hpp"
+
+#include <shader_compiler.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace sampling
+{
+namespace
+{
+
+std::string readFile(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+[[noreturn]] void fail(const std::string& message)
+{
+    std::fprintf(stderr, "lvsm_sampling: %s\n", message.c_str());
+    std::exit(1);
+}
+
+std::vector<std::uint32_t> compileWithGlslang(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage,
+                                              const std::string& entryPoint, const std::string& macros)
+{
+    using lvsm::support::ShaderStage;
+    lvsm::support::ShaderOptions options;
+    options.stage = stage == vk::ShaderStageFlagBits::eVertex     ? ShaderStage::Vertex
+                    : stage == vk::ShaderStageFlagBits::eFragment ? ShaderStage::Fragment
+                                                                  : ShaderStage::Compute;
+    options.language = form.isHlsl() ? lvsm::support::ShaderLanguage::Hlsl : lvsm::support::ShaderLanguage::Glsl;
+    options.entryPoint = entryPoint;
+    options.preamble = macros;
+    options.includeFolders = {form.isHlsl() ? form.hlslFolder : form.glslFolder};
+    const auto spirv = lvsm::support::compileShaderFile(path, options);
+    if (!spirv)
+        fail(spirv.error());
+    return *spirv;
+}
+
+std::vector<std::uint32_t> compileWithDxc(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage,
+                                          const std::string& entryPoint, const std::string& macros)
+{
+    const auto folder = std::filesystem::temp_directory_path() / ("lvsm_sampling_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const std::string input = (folder / "shader.hlsl").string();
+    const std::string output = (folder / "shader.spv").string();
+    std::ofstream(input) << macros << "#include \"" << path << "\"\n";
+    const std::string profile = stage == vk::ShaderStageFlagBits::eCompute ? "cs_6_0" : "ps_6_0";
+    const std::string command = "'" + form.dxc + "' -T " + profile + " -E " + entryPoint +
+                                " -spirv -WX -fspv-target-env=vulkan1.1 -I '" + form.hlslFolder + "' -Fo '" + output +
+                                "' '" + input + "'";
+    const int status = std::system(command.c_str());
+    const std::string bytes = status == 0 ? readFile(output) : "";
+    std::filesystem::remove_all(folder);
+    if (bytes.empty())
+        fail("dxc failed on " + path);
+    std::vector<std::uint32_t> spirv(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(spirv.data(), bytes.data(), bytes.size());
+    return spirv;
+}
+
+} // namespace
+
+Shader compile(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage, const std::string& entryPoint,
+               const std::string& macros)
+{
+    const auto compiler = form.name == "dxc" ? compileWithDxc : compileWithGlslang;
+    return {compiler(form, path, stage, entryPoint, macros), entryPoint};
+}
+
+float Random::next()
+{
+    m_state = m_state * 1664525u + 1013904223u;
+    return static_cast<float>(m_state >> 8) / static_cast<float>(1 << 24);
+}
+
+void Comparison::expect(double answer, double expected, double tolerance, const std::string& where)
+{
+    ++m_count;
+    const double error = std::abs(answer - expected);
+    m_worst = std::isnan(error) ? error : std::max(m_worst, error);
+    if (error <= tolerance)
+        return;
+    if (m_failures++ == 0)
+        std::printf("FAIL %s: expected %.9g within %.3g, got %.9g at %s\n", m_what.c_str(), expected, tolerance, answer,
+                    where.c_str());
+}
+
+bool Comparison::passed() const
+{
+    const bool passed = m_count > 0 && m_failures == 0;
+    std::printf("%s %s: %ld results, %ld wrong, worst error %.3g\n", passed ? "ok  " : "FAIL", m_what.c_str(), m_count,
+                m_failures, m_worst);
+    return passed;
+}
+
+} // namespace sampling
+
+namespace
+{
+
+constexpr int kSkipped = 77;
+
+using Check = bool (*)(sampling::VulkanContext&, const sampling::Form&);
+
+int runOnDevices(Check check, const sampling::Form& form, const std::vector<std::string>& devices)
+{
+    int ran = 0;
+    bool passed = true;
+    for (const std::string& name : devices)
+    {
+        auto device = lvsm::support::VulkanDevice::open({name, true});
+        if (!device)
+        {
+            std::printf("skip %s: %s\n", name.c_str(), device.error().c_str());
+            continue;
+        }
+        std::printf("%s\n", device->name().device.c_str());
+        ++ran;
+        passed = check(device->context(), form) && passed;
+        if (!device->validationMessages().empty())
+        {
+            std::printf("FAIL the validation layer had something to say\n");
+            passed = false;
+        }
+    }
+    return ran == 0 ? kSkipped : passed ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    sampling::Form form;
+    std::string what;
+    std::vector<std::string> devices = {"llvmpipe", "SwiftShader"};
+    CLI::App app("Runs what reads and writes textures, and compares with the library's C++ functions.");
+    app.add_option("what", what, "wrappers, blur or store")
+        ->required()
+        ->check(CLI::IsMember({"wrappers", "blur", "store"}));
+    app.add_option("form", form.name, "combined or separate (GLSL), glslang or dxc (HLSL)")
+        ->required()
+        ->check(CLI::IsMember({"combined", "separate", "glslang", "dxc"}));
+    app.add_option("--glsl", form.glslFolder, "folder that holds lvsm/lvsm.glsl")->required();
+    app.add_option("--hlsl", form.hlslFolder, "folder that holds lvsm/lvsm.hlsli")->required();
+    app.add_option("--kernels", form.kernelFolder, "folder of the shaders that call the wrappers")->required();
+    app.add_option("--dxc", form.dxc, "the DirectX Shader Compiler");
+    app.add_option("--devices", devices, "parts of device names");
+    CLI11_PARSE(app, argc, argv);
+
+    if (form.name == "dxc" && form.dxc.empty())
+    {
+        std::printf("skip: no dxc\n");
+        return kSkipped;
+    }
+    const Check check = what == "wrappers" ? sampling::checkWrappers
+                        : what == "blur"   ? sampling::checkBlur
+                                           : sampling::checkStore;
+    try
+    {
+        return runOnDevices(check, form, devices);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "lvsm_sampling: %s\n", error.what());
+        return 1;
+    }
+}
