@@ -60,12 +60,14 @@ inline const char* describe(OptimalStatus status)
 /// leastGain: hysteresis for moving scenes, in [0,1). With more than 0 the given splits are the previous ones, and they
 /// are kept unless the new ones lower the mean square distance by more than this share of it; splits that are no
 /// placement (not from 0 to 1 or not rising) are replaced.
+/// maxSamples: of an image, about so many texels are sampled, spread evenly; 0 or less takes all.
 template <typename T>
 struct OptimalOptions
 {
     T uniformShare = T(0.3);
     T minLength = T(1) / T(64);
     T leastGain = T(0);
+    int maxSamples = 131072;
 };
 
 /// What a placement did. distortion: weighted mean square distance of depths to the mean of their layer, for the
@@ -221,6 +223,60 @@ private:
     short m_begin[kMaxOptimalLayers][kMaxOptimalBins + 1];
 };
 
+// Adds up the weights of an image's depths, in runs of texels of a row: four times the standard deviation of each
+// texel's 2x2 neighbourhood. Of more texels than maxSamples one run of several is taken, at a place among them that
+// moves by the golden ratio, so that no pattern of the image is missed. False where a depth is not finite.
+template <typename T>
+bool weighDepths(const T* depths, int width, int height, int maxSamples, double* weights)
+{
+    using glm::sqrt;
+    constexpr int kRun = 64;
+    const std::ptrdiff_t runsOfRow = (width + kRun - 1) / kRun;
+    const std::ptrdiff_t runs = runsOfRow * height;
+    const std::ptrdiff_t stride = maxSamples > 0 ? max<std::ptrdiff_t>(1, runs * kRun / maxSamples) : 1;
+    T variances[kRun];
+    int bins[kRun];
+    T above[kRun + 1];
+    T below[kRun + 1];
+    double place = 0.0;
+    bool isFinite = true;
+    for (std::ptrdiff_t first = 0; first < runs; first += stride)
+    {
+        place += 0.6180339887498949;
+        place -= place >= 1.0 ? 1.0 : 0.0;
+        const auto offset = static_cast<std::ptrdiff_t>(place * static_cast<double>(stride));
+        const std::ptrdiff_t run = min(first + offset, runs - 1);
+        const std::ptrdiff_t y = run / runsOfRow;
+        const int begin = static_cast<int>(run % runsOfRow) * kRun;
+        const int count = min(kRun, width - begin);
+        const T* row = depths + y * width + begin;
+        const T* next = y + 1 < height ? row + width : row;
+        for (int i = 0; i < count; ++i)
+        {
+            isFinite &= row[i] - row[i] == T(0);
+            above[i] = clamp(row[i], T(0), T(1));
+            below[i] = clamp(next[i], T(0), T(1));
+        }
+        const int last = begin + count < width ? count : count - 1;
+        above[count] = clamp(row[last], T(0), T(1));
+        below[count] = clamp(next[last], T(0), T(1));
+        for (int i = 0; i < count; ++i)
+        {
+            // Of four numbers from their differences, which do not cancel.
+            const T left = above[i] - below[i];
+            const T right = above[i + 1] - below[i + 1];
+            const T across = (above[i] - above[i + 1]) + (below[i] - below[i + 1]);
+            const T vertical = left + right;
+            const T diagonal = left - right;
+            variances[i] = vertical * vertical + across * across + diagonal * diagonal;
+            bins[i] = min(static_cast<int>(above[i] * T(kMaxOptimalBins)), kMaxOptimalBins - 1);
+        }
+        for (int i = 0; i < count; ++i)
+            weights[bins[i]] += static_cast<double>(sqrt(variances[i]));
+    }
+    return isFinite;
+}
+
 template <typename T>
 bool isPlacement(const T* splits, int layerCount)
 {
@@ -301,13 +357,13 @@ OptimalResult<T> optimalSplitsHistogram(const T* weights, int binCount, T* split
 /// Splits for an image of depths: the global optimum for a histogram of 1024 bins, in which a depth weighs as much as
 /// its 2x2 neighbourhood deviates, because only where depths differ is there anything to bound.
 /// depths: width x height of them, row by row, in [0,1], clamped to it. splits, layerCount, options: as for
-/// optimalSplitsHistogram. An image without any edge gives the splits of a uniform histogram.
+/// optimalSplitsHistogram. Of an image with more than options.maxSamples texels only so many are read. An image without
+/// any edge gives the splits of a uniform histogram.
 /// Result: whether new splits were placed and their distortion, or the reason why the input makes no sense.
 template <typename T>
 OptimalResult<T> optimalSplits(const T* depths, int width, int height, T* splits, int layerCount,
                                const OptimalOptions<T>& options = {})
 {
-    using glm::sqrt;
     OptimalResult<T> result;
     const auto stop = [&result](OptimalStatus status) {
         result.status = status;
@@ -319,29 +375,7 @@ OptimalResult<T> optimalSplits(const T* depths, int width, int height, T* splits
         return stop(OptimalStatus::LayerCountOutOfRange);
 
     double weights[kMaxOptimalBins] = {};
-    T check = T(0);
-    for (int y = 0; y < height; ++y)
-    {
-        const T* row = depths + static_cast<std::ptrdiff_t>(y) * width;
-        const T* below = y + 1 < height ? row + width : row;
-        for (int x = 0; x < width; ++x)
-        {
-            const int right = x + 1 < width ? x + 1 : x;
-            check += row[x] - row[x];
-            const T a = detail::clamp(row[x], T(0), T(1));
-            const T b = detail::clamp(row[right], T(0), T(1));
-            const T c = detail::clamp(below[x], T(0), T(1));
-            const T d = detail::clamp(below[right], T(0), T(1));
-            // The variance of four numbers from their differences, which do not cancel.
-            const T vertical = (a - c) + (b - d);
-            const T horizontal = (a - b) + (c - d);
-            const T diagonal = (a - b) - (c - d);
-            const T variance = T(0.0625) * (vertical * vertical + horizontal * horizontal + diagonal * diagonal);
-            const int bin = detail::min(static_cast<int>(a * T(kMaxOptimalBins)), kMaxOptimalBins - 1);
-            weights[bin] += static_cast<double>(sqrt(variance));
-        }
-    }
-    if (!(check == T(0)))
+    if (!detail::weighDepths(depths, width, height, options.maxSamples, weights))
         return stop(OptimalStatus::DepthNotFinite);
     return detail::placeOptimally(weights, kMaxOptimalBins, splits, layerCount, options);
 }

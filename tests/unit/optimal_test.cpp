@@ -136,6 +136,41 @@ TEST_CASE("optimalSplits puts its splits between the depths that meet at edges")
   CHECK(result.distortion < 1e-6f);
 }
 
+TEST_CASE("a sample of a large image places the splits as the whole image does") {
+  // Waves over steps of 37 texels, so that edges fall on every place of a run.
+  constexpr int kSize = 1024;
+  std::vector<float> image(kSize * kSize);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      const float wave = 0.2f * std::sin(0.02f * static_cast<float>(x)) * std::cos(0.013f * static_cast<float>(y));
+      image[static_cast<std::size_t>(y * kSize + x)] = 0.5f + wave + ((x / 37 + y / 51) % 4 == 0 ? 0.2f : 0.0f);
+    }
+  }
+  float splits[5];
+  CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4));
+  const float sampled = splits[2];
+  // Judged by all texels, they are kept.
+  OptimalOptions<float> all;
+  all.maxSamples = 0;
+  all.leastGain = 0.01f;
+  CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4, all).status == OptimalStatus::Kept);
+  // It was a sample: all texels give others.
+  all.leastGain = 0;
+  CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4, all));
+  CHECK(splits[2] != sampled);
+}
+
+TEST_CASE("a sample of a large image finds edges in any of its columns") {
+  constexpr int kSize = 1024;
+  for (int column = 16; column < kSize; column += 64) {
+    std::vector<float> image(kSize * kSize, 0.9f);
+    for (int y = 0; y < kSize; ++y) image[static_cast<std::size_t>(y * kSize + column)] = 0.8f;
+    float splits[3];
+    CHECK(optimalSplits(image.data(), kSize, kSize, splits, 2));
+    CHECK(splits[1] > 0.55f);
+  }
+}
+
 TEST_CASE("splits rise, and no layer is shorter than half the least cell") {
   Random random(132);
   Tally tally;
