@@ -440,9 +440,11 @@ TEST_CASE_TEMPLATE("the outer ends of the layers have no transition", T, float, 
 }
 
 TEST_CASE_TEMPLATE("a transition takes at most half of a layer, and none without width or length", T, float, double) {
-  CHECK(transitionWeight(T(0.5), T(0.25), T(0.75), T(9)) == 0);
-  CHECK(transitionWeight(T(0.375), T(0.25), T(0.75), T(9)) == T(-0.25));
-  CHECK(transitionWeight(T(0.625), T(0.25), T(0.75), T(9)) == T(0.25));
+  for (const T width : {T(0.25), T(0.375), T(9)}) {
+    CHECK(transitionWeight(T(0.5), T(0.25), T(0.75), width) == 0);
+    CHECK(transitionWeight(T(0.375), T(0.25), T(0.75), width) == T(-0.25));
+    CHECK(transitionWeight(T(0.625), T(0.25), T(0.75), width) == T(0.25));
+  }
   for (const T width : {T(0), T(-1), kTiny<T> / 2}) CHECK(transitionWeight(T(0.25), T(0.25), T(0.75), width) == 0);
   CHECK(transitionWeight(T(0.5), T(0.5), T(0.5), T(0.1)) == 0);
   CHECK(transitionWeight(T(0.5), T(0.75), T(0.25), T(0.1)) == 0);

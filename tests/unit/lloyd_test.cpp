@@ -294,6 +294,50 @@ TEST_CASE_TEMPLATE("lloydRelaxMoments of a depth image's moments is lloydRelax",
   CHECK(one.movement == other.movement);
 }
 
+TEST_CASE_TEMPLATE("an occluder midway between two splits belongs to the lower one alone", T, float, double) {
+  RelaxOptions<T> options;
+  options.keepSplits = true;
+  options.maxIterations = 1;
+  std::vector<T> splits{T(0), T(0.25), T(0.5), T(1)};
+  stripes<T>({T(0.375), T(0.875)}).relax(splits, options);
+  CHECK(isNear(splits[1], 0.375L));
+  CHECK(isNear(splits[2], 0.875L));
+}
+
+TEST_CASE_TEMPLATE("all clusters are judged before any split moves", T, float, double) {
+  // 0.5625 is nearer to the second split until the first moves to 0.4375. The cap makes the weights equal.
+  RelaxOptions<T> options;
+  options.keepSplits = true;
+  options.maxIterations = 1;
+  options.maxVariance = T(0.01);
+  std::vector<T> splits{T(0), T(0.25), T(0.75), T(1)};
+  const RelaxResult<T> result = stripes<T>({T(0.4375), T(0.5625), T(0.875)}).relax(splits, options);
+  CHECK(isNear(splits[1], 0.4375L));
+  CHECK(isNear(splits[2], 0.71875L));
+  CHECK(isNear(result.movement, 0.1875L));
+}
+
+TEST_CASE_TEMPLATE("in pairs it converges only after a whole round of quiet iterations", T, float, double) {
+  const Image<T> image = stripes<T>({T(0.2), T(0.4), T(0.6), T(0.8)});
+  RelaxOptions<T> options;
+  options.keepSplits = true;
+  options.splitsPerIteration = 2;
+  // The first pair is right, the second is not yet.
+  std::vector<T> splits{T(0), T(0.2), T(0.4), T(0.65), T(0.8), T(1)};
+  RelaxResult<T> result = image.relax(splits, options);
+  CHECK(result.status == RelaxStatus::Converged);
+  CHECK(isNear(splits[3], 0.6L));
+  CHECK(result.iterations == 4);
+
+  // Both pairs are quiet; the movement is the larger of the two.
+  options.tolerance = T(0.1);
+  splits = {T(0), T(0.25), T(0.4), T(0.6), T(0.8), T(1)};
+  result = image.relax(splits, options);
+  CHECK(result.status == RelaxStatus::Converged);
+  CHECK(result.iterations == 2);
+  CHECK(isNear(result.movement, 0.05L));
+}
+
 TEST_CASE_TEMPLATE("a kept start that is already right converges at once", T, float, double) {
   const Image<T> image = stripes<T>({T(0.3), T(0.6), T(0.9)});
   std::vector<T> splits = emptySplits<T>(4);
