@@ -167,6 +167,7 @@ TEST_CASE("attenuation takes the crest down, more with more strength, and the fi
     CHECK(fourierAttenuation(16, 16, strength) == std::exp(-strength));
   }
   CHECK(fourierAttenuation(3, 16, 0.0) == 1);
+  CHECK(fourierAttenuation(4, 16, 2.0) == std::exp(-0.125));
 }
 
 TEST_CASE_TEMPLATE("terms beyond the order count nothing", T, float, double) {
