@@ -14,6 +14,11 @@
 
 #include "layers.glsl"
 
+// Least variance floor of a neighbour in its warp, (1/64)^2: nearer to the split than about 1/64 of a layer nothing is
+// surely beyond it. That covers the rounding of moments to unorm16, three half steps of the second moment about the
+// split for each time they are rounded, which would otherwise make a share in front out of nothing.
+const float LVSM_NEIGHBOUR_MIN_VARIANCE = 0.000244140625;
+
 /// Moments of the union of two neighbouring layers that do not overlap, from the moments of the two.
 /// moments: of the layer in front, filtered. next: of the layer behind it. extent, nextExtent: lengths of the two, in
 /// [0,1], clamped to it. Result: (M1, M2) of the layer that covers both, each in [0,1].
@@ -93,14 +98,14 @@ vec4 lvsm_bracketMoments(vec2 front, vec2 moments, vec2 behind, float minVarianc
 /// Visibility of a receiver from the moments of its layer and of the two neighbours.
 /// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
 /// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0; the neighbours' warps are
-/// taken to be as steep as the layer's.
+/// taken to be as steep as the layer's, and their floor is at least 1/4096.
 /// Result in [0,1]; an upper bound on the lit share of the window where layers do not overlap. Without a floor never
 /// above layeredVisibility.
 /// Source: bracketMoments, and chebyshevUpperBound for what is left in the layer.
 float lvsm_bracketedVisibility(vec2 front, vec2 moments, vec2 behind, float depth, vec2 interval, float minVariance)
 {
     float least = lvsm_layerMinVariance(minVariance, interval);
-    vec4 left = lvsm_bracketMoments(front, moments, behind, least);
+    vec4 left = lvsm_bracketMoments(front, moments, behind, max(least, LVSM_NEIGHBOUR_MIN_VARIANCE));
     float share = lvsm_chebyshevMass(left.y, left.z, left.w, lvsm_layerWarp(depth, interval), least);
     return clamp(left.x + share, 0.0, 1.0);
 }
@@ -108,7 +113,7 @@ float lvsm_bracketedVisibility(vec2 front, vec2 moments, vec2 behind, float dept
 /// Visibility of a receiver from the moments of its layer and of the two neighbours, by the bound for depths in [0,1].
 /// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
 /// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0; the neighbours' warps are
-/// taken to be as steep as the layer's.
+/// taken to be as steep as the layer's, and their floor is at least 1/4096.
 /// Result in [0,1], never above bracketedVisibility; an upper bound on the lit share of the window where layers do not
 /// overlap.
 /// Source: bracketMoments, and boundedUpperBound for what is left in the layer.
@@ -116,7 +121,7 @@ float lvsm_bracketedBoundedVisibility(vec2 front, vec2 moments, vec2 behind, flo
                                       float minVariance)
 {
     float least = lvsm_layerMinVariance(minVariance, interval);
-    vec4 left = lvsm_bracketMoments(front, moments, behind, least);
+    vec4 left = lvsm_bracketMoments(front, moments, behind, max(least, LVSM_NEIGHBOUR_MIN_VARIANCE));
     float t = lvsm_layerWarp(depth, interval);
     float tail = lvsm_chebyshevMass(left.y, left.z, left.w, t, least);
     float inverse = 1.0 / max(t, LVSM_TINY);
@@ -147,7 +152,8 @@ float lvsm_bracketedVisibility2(vec4 texel, float depth, float split, float minV
 
     float away1 = clamp(other1 * abs(reach), 0.0, 1.0);
     float away2 = clamp(other2 * squared, 0.0, 1.0);
-    float share = away1 * (away1 / max(max(away2, away1 * away1 + minVariance), LVSM_TINY));
+    float least = max(minVariance, LVSM_NEIGHBOUR_MIN_VARIANCE * squared);
+    float share = away1 * (away1 / max(max(away2, away1 * away1 + least), LVSM_TINY));
     float away = clamp(share, 0.0, 1.0);
     float lit = isBehind ? 0.0 : away;
     float left = 1.0 - away;

@@ -17,6 +17,12 @@
 namespace lvsm
 {
 
+// Least variance floor of a neighbour in its warp, (1/64)^2: nearer to the split than about 1/64 of a layer nothing is
+// surely beyond it. That covers the rounding of moments to unorm16, three half steps of the second moment about the
+// split for each time they are rounded, which would otherwise make a share in front out of nothing.
+template <typename T>
+constexpr T kNeighbourMinVariance = T(0.000244140625);
+
 /// Moments of the union of two neighbouring layers that do not overlap, from the moments of the two.
 /// moments: of the layer in front, filtered. next: of the layer behind it. extent, nextExtent: lengths of the two, in
 /// [0,1], clamped to it. Result: (M1, M2) of the layer that covers both, each in [0,1].
@@ -109,7 +115,7 @@ glm::vec<4, T, Q> bracketMoments(const glm::vec<2, T, Q>& front, const glm::vec<
 /// Visibility of a receiver from the moments of its layer and of the two neighbours.
 /// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
 /// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0; the neighbours' warps are
-/// taken to be as steep as the layer's.
+/// taken to be as steep as the layer's, and their floor is at least 1/4096.
 /// Result in [0,1]; an upper bound on the lit share of the window where layers do not overlap. Without a floor never
 /// above layeredVisibility.
 /// Source: bracketMoments, and chebyshevUpperBound for what is left in the layer.
@@ -118,7 +124,8 @@ T bracketedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& m
                       const glm::vec<2, T, Q>& behind, T depth, const glm::vec<2, T, QI>& interval, T minVariance)
 {
     const T floor = layerMinVariance(minVariance, interval);
-    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind, floor);
+    const glm::vec<4, T, Q> left =
+        bracketMoments(front, moments, behind, detail::max(kNeighbourMinVariance<T>, floor));
     const T share = detail::chebyshevMass(left.y, left.z, left.w, layerWarp(depth, interval), floor);
     return detail::clamp(left.x + share, T(0), T(1));
 }
@@ -126,7 +133,7 @@ T bracketedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& m
 /// Visibility of a receiver from the moments of its layer and of the two neighbours, by the bound for depths in [0,1].
 /// front, moments, behind: as bracketMoments takes them. depth: the receiver's, in [0,1]. interval: begin and end of
 /// the layer, which holds the receiver. minVariance: the global floor in depth squared, >= 0; the neighbours' warps are
-/// taken to be as steep as the layer's.
+/// taken to be as steep as the layer's, and their floor is at least 1/4096.
 /// Result in [0,1], never above bracketedVisibility; an upper bound on the lit share of the window where layers do not
 /// overlap.
 /// Source: bracketMoments, and boundedUpperBound for what is left in the layer.
@@ -136,7 +143,8 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
                              T minVariance)
 {
     const T floor = layerMinVariance(minVariance, interval);
-    const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind, floor);
+    const glm::vec<4, T, Q> left =
+        bracketMoments(front, moments, behind, detail::max(kNeighbourMinVariance<T>, floor));
     const T t = layerWarp(depth, interval);
     const T tail = detail::chebyshevMass(left.y, left.z, left.w, t, floor);
     const T inverse = T(1) / detail::max(kTiny<T>, t);
@@ -168,7 +176,8 @@ T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVa
 
     const T away1 = detail::clamp(other1 * (reach < T(0) ? -reach : reach), T(0), T(1));
     const T away2 = detail::clamp(other2 * squared, T(0), T(1));
-    const T share = away1 * (away1 / detail::max(kTiny<T>, detail::max(away2, away1 * away1 + minVariance)));
+    const T floor = detail::max(kNeighbourMinVariance<T> * squared, minVariance);
+    const T share = away1 * (away1 / detail::max(kTiny<T>, detail::max(away2, away1 * away1 + floor)));
     const T away = detail::clamp(share, T(0), T(1));
     const T lit = isBehind ? T(0) : away;
     const T left = T(1) - away;

@@ -182,6 +182,15 @@ TEST_CASE("the neighbours' variance floor keeps a flat surface on a split lit") 
   CHECK(bracketedVisibility2(packLayers(front, none), 0.5, 0.5, 0.25 * floor) >= 0.99);
 }
 
+TEST_CASE_TEMPLATE("one code of rounding in a neighbour hides no lit surface", T, float, double) {
+  // Nothing of weight in front, and the second moment rounded one code further down than the first.
+  const Vec2<T> front(T(65534) / T(65535), T(65533) / T(65535));
+  const Vec2<T> own(T(0.5), T(0.25));
+  CHECK(bracketedVisibility(front, own, Vec2<T>(0), T(0.7), Vec2<T>(T(0.5), T(1)), T(1e-8)) > T(0.999));
+  CHECK(bracketedVisibility2(packLayers(front, own), T(0.7), T(0.5), T(1e-8)) > T(0.999));
+  CHECK(bracketMoments(front, own, Vec2<T>(0), T(0)).y < T(0.6));
+}
+
 TEST_CASE("contiguous layers contain every coarser layering exactly") {
   Random random(113);
   Tally tally;
