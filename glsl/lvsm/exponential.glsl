@@ -9,13 +9,14 @@
 const float LVSM_LARGEST_FP16 = 65504.0;
 const float LVSM_LARGEST_FP32 = 3.40282347e38;
 
-// Largest exponent whose second moment is finite in fp32: ln(FLT_MAX) / 2 = 44.36142, less 1.1e-5 for the error of
-// exp, 3 + 2 |x| units in the last place.
-const float LVSM_MAX_EXPONENT = 44.3614;
+// Largest exponent in fp32. The second moments would be finite up to ln(FLT_MAX) / 2 = 44.36, but the bound divides by
+// up to 2 e^(2c), and Vulkan promises nothing for divisors over 2^126. So c is 125 ln 2 / 2 = 43.32170, less 1.1e-5 for
+// the error of exp, 3 + 2 |x| units in the last place. The smallest square, e^(-2c), is then a normal float too.
+const float LVSM_MAX_EXPONENT = 43.3216;
 
 /// The two exponential warps of a depth: e^(cx) and -e^(-cx), for x the depth remapped to [-1,1].
-/// depth: in [0,1], clamped to it. exponents: c of the positive and of the negative warp, each clamped to [0, 44.3614].
-/// Result: (positive, negative); the positive in (0, 1.9e19], the negative in [-1.9e19, 0); both rise with depth.
+/// depth: in [0,1], clamped to it. exponents: c of the positive and of the negative warp, each clamped to [0, 43.3216].
+/// Result: (positive, negative); the positive in (0, 6.6e18], the negative in [-6.6e18, 0); both rise with depth.
 /// Source: LVSM section 7.
 vec2 lvsm_exponentialWarp(float depth, vec2 exponents)
 {
@@ -25,7 +26,7 @@ vec2 lvsm_exponentialWarp(float depth, vec2 exponents)
 }
 
 /// Moments to store for one depth: each warp and its square.
-/// depth: in [0,1], clamped to it. exponents: of the two warps, each clamped to [0, 44.3614].
+/// depth: in [0,1], clamped to it. exponents: of the two warps, each clamped to [0, 43.3216].
 /// Result: (positive, positive^2, negative, negative^2), finite in fp32, in fp16 for exponents up to 5.545.
 /// A texel without any surface stores depth 1; the clear colour is this function's result for it.
 /// Source: LVSM section 7.
@@ -37,7 +38,7 @@ vec4 lvsm_exponentialMoments(float depth, vec2 exponents)
 
 /// Variance floors in the two warped spaces that equal a global floor in depth: carried through each warp's slope.
 /// minVariance: the global floor in depth squared, >= 0, less counts as 0. depth: the receiver's, in [0,1].
-/// exponents: of the two warps, each clamped to [0, 44.3614].
+/// exponents: of the two warps, each clamped to [0, 43.3216].
 /// Result: (positive, negative), each (2 c w)^2 minVariance for a warp w, at most w^2.
 /// Source: first-order propagation through the slope of each warp of LVSM section 7, d/dx e^(c (2x - 1)) = 2 c w.
 vec2 lvsm_exponentialMinVariance(float minVariance, float depth, vec2 exponents)
@@ -51,8 +52,7 @@ vec2 lvsm_exponentialMinVariance(float minVariance, float depth, vec2 exponents)
 /// Visibility of a receiver from the moments of the positive warp alone (EVSM2).
 /// moments: of the positive warp, filtered. depth: the receiver's, in [0,1]. exponent: of the warp, as when stored.
 /// minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], an upper bound on the lit share of the window. Over exponent 44 a floor can overflow the bound's
-/// divisor in fp32, close to depth 1, which darkens.
+/// Result in [0,1], an upper bound on the lit share of the window.
 /// Source: LVSM section 7 and equation 3.
 float lvsm_exponentialVisibility2(vec2 moments, float depth, float exponent, float minVariance)
 {
@@ -64,8 +64,7 @@ float lvsm_exponentialVisibility2(vec2 moments, float depth, float exponent, flo
 /// Visibility of a receiver from the moments of both warps (EVSM4): the lesser of their two upper bounds.
 /// moments: as exponentialMoments made them, filtered. depth: the receiver's, in [0,1].
 /// exponents: of the two warps, as when stored. minVariance: the global floor in depth squared, >= 0.
-/// Result in [0,1], an upper bound on the lit share of the window. Over exponent 44 a floor can overflow the bound's
-/// divisor in fp32, close to depth 0 or 1, which darkens.
+/// Result in [0,1], an upper bound on the lit share of the window.
 /// Source: LVSM section 7 and equation 3.
 float lvsm_exponentialVisibility4(vec4 moments, float depth, vec2 exponents, float minVariance)
 {
@@ -79,8 +78,8 @@ float lvsm_exponentialVisibility4(vec4 moments, float depth, vec2 exponents, flo
 /// largest: the format's largest finite value, see the LVSM_LARGEST constants; less than 1 counts as 1.
 /// headRoom: how often an unnormalised filter sum holds its largest sample, >= 1 (1 for weights that sum to 1). Each
 /// rounding to fp16 on the way needs 1/2048 more of it.
-/// Result in [0, 44.3614]: 5.545 for fp16 and 44.3614 for fp32 without head room.
-/// Source: headRoom e^(2c) <= largest, solved for c.
+/// Result in [0, 43.3216]: 5.545 for fp16 and 43.3216 for fp32 without head room.
+/// Source: headRoom e^(2c) <= largest, solved for c; in fp32 the divisor of the bound sets the limit.
 float lvsm_maxExponent(float largest, float headRoom)
 {
     float ratio = max(largest, 1.0) / clamp(headRoom, 1.0, LVSM_HUGE);

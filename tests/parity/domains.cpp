@@ -80,7 +80,7 @@ void momentsFromShare(double* moments)
 void exponentialMomentsOfTwo(double* words)
 {
     const auto warp = [words](double depth, int which) {
-        const double c = std::clamp(words[1 + which], 0.0, 44.3614);
+        const double c = std::clamp(words[1 + which], 0.0, 43.3216);
         return which == 0 ? std::exp(c * (2.0 * depth - 1.0)) : -std::exp(-c * (2.0 * depth - 1.0));
     };
     const double front = words[4];
@@ -230,7 +230,7 @@ const std::map<std::string, Domain>& domains()
          {{depth(), share(), depth(), share(), integers({0.0, 1.0, 2.0, 7.0, -1.0, -2.0}, 0.0, 8.0)}, nullptr}},
         // 0 depth; 1, 2 exponents; 3 minVariance; 4 to 7 moments, from two depths and their shares.
         {"exponentialDepth",
-         {{depth(), {{0.0, 5.54, 42.0, 44.3614, 50.0, -1.0}, 0.0, 42.0}, {{0.0, 5.54, 10.0, 44.3614, 1.0e9}, 0.0, 20.0},
+         {{depth(), {{0.0, 5.54, 42.0, 43.3216, 50.0, -1.0}, 0.0, 42.0}, {{0.0, 5.54, 10.0, 43.3216, 1.0e9}, 0.0, 20.0},
            smallVariance(), {{0.0, 1.0, 0.5}, 0.0, 1.0}, {{0.0, 1.0, 0.5}, 0.0, 1.0}, share(), {{0.0}, 0.0, 1.0}},
           exponentialMomentsOfTwo}},
         {"formats",

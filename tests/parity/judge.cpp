@@ -59,6 +59,7 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
     verdicts[1].domain = "hostile";
     std::vector<double> tolerances;
     double worst = -1.0;
+    std::size_t tight = 0;
     const std::size_t components = static_cast<std::size_t>(m_components);
     for (std::size_t i = 0; i < m_inputs.size(); ++i)
     {
@@ -88,6 +89,7 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
                 const double error = std::abs(answer - allowed.expected);
                 const double tolerance = answer < allowed.expected ? allowed.expected - allowed.lo
                                                                    : allowed.hi - allowed.expected;
+                tight += allowed.hi - allowed.lo <= 1.0e-3 * std::max(1.0, std::abs(allowed.expected)) ? 1 : 0;
                 tolerances.push_back(std::min(tolerance, m_row.high - m_row.low));
                 const double badness = accepted ? error : HUGE_VAL;
                 if (badness > worst)
@@ -105,6 +107,7 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
     }
     std::nth_element(tolerances.begin(), tolerances.begin() + static_cast<std::ptrdiff_t>(tolerances.size() / 2),
                      tolerances.end());
+    verdicts[0].tightShare = static_cast<double>(tight) / static_cast<double>(tolerances.size());
     verdicts[0].medianTolerance = tolerances[tolerances.size() / 2];
     return verdicts;
 }

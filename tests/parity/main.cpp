@@ -157,8 +157,8 @@ bool print(const Row& row, const Judge& judge, const Run& run)
                     row.function.c_str(), run.compiler.c_str(), run.source.c_str(), run.device.c_str(),
                     verdict.domain.c_str(), verdict.inputs);
         if (verdict.domain != "hostile")
-            std::printf("worst error %.3g of %.3g allowed (median allowed %.3g); ", verdict.worstError,
-                        verdict.tolerance, verdict.medianTolerance);
+            std::printf("worst error %.3g of %.3g allowed (median allowed %.3g, %.0f%% tight); ",
+                        verdict.worstError, verdict.tolerance, verdict.medianTolerance, 100.0 * verdict.tightShare);
         std::printf("%zu not finite, %zu outside", verdict.nonFinite, verdict.outside);
         if (verdict.domain != "hostile" || !verdict.passed())
             std::printf("; expected %.9g, got %.9g for (%s)", verdict.expected, verdict.answered,
@@ -185,6 +185,7 @@ void writeReport(const Row& row, const std::vector<Run>& runs, const Options& op
                             {"worst_error", verdict.worstError},
                             {"tolerance", verdict.tolerance},
                             {"median_tolerance", verdict.medianTolerance},
+                            {"tight_share", verdict.tightShare},
                             {"non_finite", verdict.nonFinite},
                             {"outside", verdict.outside}});
     }
