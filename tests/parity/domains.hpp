@@ -1,27 +1,38 @@
-// The inputs of a row: a named domain, and arbitrary finite bit patterns.
+// The named domains of functions.def: what values each word of an input takes.
 #ifndef LVSM_PARITY_DOMAINS_HPP
 #define LVSM_PARITY_DOMAINS_HPP
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace parity
 {
 
-constexpr int kWords = 24;
-constexpr int kInputs = 65536;
+enum class Scale
+{
+    Linear,
+    Logarithmic,
+    Integer
+};
 
-// One input as a shader reads it: floats and integers as their bits.
-using Words = std::array<std::uint32_t, kWords>;
+// The values that one word of an input takes.
+struct Slot
+{
+    std::vector<double> edges;
+    double lo;
+    double hi;
+    Scale scale = Scale::Linear;
+};
 
-// The inputs of a named domain: combinations of edge values first, then a low-discrepancy fill that still holds edges.
-// Empty where no domain has that name.
-std::vector<Words> domainInputs(const std::string& name);
+// relate gives the words values that depend on each other, such as the moments of a distribution.
+struct Domain
+{
+    std::vector<Slot> slots;
+    void (*relate)(double* words) = nullptr;
+};
 
-// Arbitrary finite bit patterns, with the extreme values among them.
-std::vector<Words> hostileInputs();
+// Null where no domain has that name.
+const Domain* findDomain(const std::string& name);
 
 } // namespace parity
 

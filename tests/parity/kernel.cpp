@@ -8,7 +8,8 @@ namespace
 std::string constants()
 {
     return "#define WORDS " + std::to_string(kWords) + "u\n#define RESULTS " + std::to_string(kResults) +
-           "u\n#define GROUP_SIZE " + std::to_string(kGroupSize) + "\n";
+           "u\n#define STORED " + std::to_string(kMaxLayers + 1) + "\n#define GROUP_SIZE " +
+           std::to_string(kGroupSize) + "\n";
 }
 
 // The statement that calls the function and keeps its result; both languages spell it alike.
@@ -71,14 +72,19 @@ const char* const kBody = R"(
     float weights[LVSM_MAX_LAYERS + 1];
     for (int k = 0; k <= LVSM_MAX_LAYERS; ++k)
     {
-        splits[k] = A(k);
-        weights[k] = A(k + LVSM_MAX_LAYERS + 1);
+        splits[k] = 1.0;
+        weights[k] = 0.0;
+    }
+    for (int stored = 0; stored < STORED; ++stored)
+    {
+        splits[stored] = A(stored);
+        weights[stored] = A(stored + STORED);
     }
 )";
 
 const char* const kCommonMacros = R"(
 #define N(i) I(i)
-#define KEEP_Splits(call) call; for (int c = 0; c <= LVSM_MAX_LAYERS; ++c) outputs[result + uint(c)] = splits[c];
+#define KEEP_Splits(call) call; for (int c = 0; c < STORED; ++c) outputs[result + uint(c)] = splits[c];
 )";
 
 } // namespace

@@ -2,7 +2,7 @@
 #ifndef LVSM_PARITY_ROWS_HPP
 #define LVSM_PARITY_ROWS_HPP
 
-#include "domains.hpp"
+#include "inputs.hpp"
 #include "interval.hpp"
 
 #include <array>
