@@ -6,8 +6,9 @@
 //   visibility   in [0,1]: 1 lit, 0 in shadow.
 //   moments      (M1, M2), means of a depth and of its square over a filter window, filtered linearly. Their space is
 //                depth itself or a warp of it; the function says which. Filter moments.
-//   empty texel  a texel without any surface holds depth 1: clear to depthMoments(1), layerMoments(1, interval) or
-//                exponentialMoments(1, exponents).
+//   empty texel  a texel without any surface holds depth 1: clear to depthMoments(1), layerMoments(1, interval),
+//                depthMoments4(1), layerMoments4(1, interval), exponentialMoments(1, exponents) or
+//                occluderTerm(1, exponent).
 //   layers       counted from 0 at the light. N layers have N + 1 splits, splits[0] = 0 and splits[N] = 1, not
 //                decreasing. Two neighbouring layers share a texel of four components.
 //   minVariance  floor of the variance, in depth squared, unwarped; the functions carry it into each warp.
@@ -17,9 +18,9 @@
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
 //
-// Topics: depth, moments, layers, bracket, moments4, exponential, placement, receiver, esm, convolution, pcf, filter.
-// Beside them, and not included here: sampling/ reads maps from textures, passes/ holds whole shaders that make maps and
-// blur them. A whole use:
+// Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
+// filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds whole shaders that make
+// maps and blur them. A whole use:
 //
 // HLSL
 //
@@ -54,6 +55,7 @@
 #include "moments4.hlsli"
 #include "pcf.hlsli"
 #include "placement.hlsli"
+#include "plane.hlsli"
 #include "receiver.hlsli"
 
 #endif

@@ -100,12 +100,19 @@ Window windowAround(double* words)
     return {{words[4], words[5], words[6]}, {first, second, 1.0 - first - second}};
 }
 
-void bracketedMoments(double* words)
+// Words 4 to 9 become the moments in front of the interval, in it and behind it.
+Window momentsAround(double* words)
 {
     const Window window = windowAround(words);
     window.moments(0.0, words[1], false, 2, words + 4);
     window.moments(words[1], words[2], false, 2, words + 6);
     window.moments(words[2], 1.0, false, 2, words + 8);
+    return window;
+}
+
+void bracketedMoments(double* words)
+{
+    const Window window = momentsAround(words);
     words[10] = words[1];
     words[11] = words[2] - words[1];
     window.moments(0.0, words[1], false, 2, words + 12);
@@ -287,6 +294,15 @@ const std::map<std::string, Domain>& allDomains()
          {{depth(), depth(), {{0.0, kTiny, 1.0e-3, 1.0, -0.25}, 0.0, 0.5}, smallVariance(), depth(), depth(), depth(),
            share(), share(), share(), share(), share(), share(), share(), share(), share(), share(), share()},
           bracketedMoments}},
+        // 0 depth; 1, 2 interval; 3 minVariance; 4 to 9 moments of the layers in front, of it, behind; 10 to 12
+        // covariances with the plane; 13 its variance; 14 amount; 15 to 18 neighbours; 19, 20 gradient; 21 deviation.
+        {"planes",
+         {{depth(), depth(), {{0.0, kTiny, 1.0e-3, 1.0, -0.25}, 0.0, 0.5}, smallVariance(), depth(), depth(), depth(),
+           share(), share(), share(), {{0.0, kSubnormal, 1.0, -2.0}, -0.01, 0.01}, {{0.0, 1.0e-4}, -0.01, 0.01},
+           {{0.0, -1.0e-4}, -0.01, 0.01}, smallVariance(), {{0.0, 0.15, 1.0, -1.0}, 0.0, 0.5}, share(), share(),
+           share(), share(), {{0.0, 1.0e-3, 2.0}, -0.02, 0.02}, {{0.0, -1.0e-3}, -0.02, 0.02},
+           {{0.0, 1.22, -1.0, 1.0e30}, 0.0, 4.0}},
+          [](double* words) { momentsAround(words); }}},
         // 0 depth; 1, 2 interval; 3 bias; 4 to 15 moments of the layers in front, of it, behind; 16 to 19 of one layer
         // from 0 to 1; 20 to 23 those encoded.
         {"fourMoments",

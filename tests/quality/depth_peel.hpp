@@ -34,8 +34,8 @@ class Light {
   /// Where a point falls on the map, in texels.
   glm::dvec2 texel(glm::dvec3 point) const;
 
-  /// Depth of a point, in [0,1]: the distance to the light's plane, or to the spot light, between the nearest and the
-  /// farthest corner of the mesh.
+  /// Depth of a point, in [0,1]: the distance to the light's plane, or to the spot light, over the reach of the mesh and
+  /// a little more.
   double depth(glm::dvec3 point) const;
 
  private:

@@ -1,6 +1,6 @@
 #include "layer_splits.hpp"
 
-#include <lvsm/lloyd.hpp>
+#include <lvsm/optimal.hpp>
 
 namespace lvsm::quality {
 
@@ -13,7 +13,7 @@ Splits::Splits(const Map& map, int count, Placement placement) {
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) depths.push_back(map.peel.nearest(x, y).depth);
   }
-  lloydRelax(depths.data(), size, size, values_.data(), count);
+  optimalSplits(depths.data(), size, size, values_.data(), count);
 }
 
 }  // namespace lvsm::quality

@@ -8,7 +8,7 @@ namespace lvsm::quality {
 namespace {
 
 constexpr double kSpotDistance = 1.6;  // in radii of the mesh's bounds, from its centre
-constexpr double kBorder = 0.02;       // of the map's width, left free on each side
+constexpr double kBorder = 0.02;       // of the map's width and depth, left free on each side
 
 glm::dvec3 towardsLight(float elevation, float azimuth) {
   const double e = glm::radians(static_cast<double>(elevation));
@@ -65,6 +65,9 @@ Light::Light(const Mesh& mesh, bool spot, glm::dvec3 origin, glm::dvec3 forward,
   const glm::dvec2 border = kBorder * (high - low_);
   low_ -= border;
   high += border;
+  const double margin = kBorder * (farDistance_ - nearDistance_);
+  nearDistance_ -= margin;
+  farDistance_ += margin;
   texelsPerUnit_ = static_cast<double>(size) / (high - low_);
 }
 

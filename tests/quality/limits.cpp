@@ -20,7 +20,8 @@ class Exact : public Estimator {
     for (int dy = -radius; dy <= radius; ++dy) {
       for (int dx = -radius; dx <= radius; ++dx) {
         const float own = q.depth + (plane_ ? glm::dot(q.gradient, glm::vec2(dx, dy)) : 0.0f);
-        const double weight = kernel_[static_cast<std::size_t>(dx + radius)] * kernel_[static_cast<std::size_t>(dy + radius)];
+        const double weight =
+            kernel_[static_cast<std::size_t>(dx + radius)] * kernel_[static_cast<std::size_t>(dy + radius)];
         lit += weight * static_cast<double>(depthTest(q.image.texel(q.x + dx, q.y + dy)[0], own, kSameDepth));
       }
     }
@@ -40,14 +41,6 @@ std::vector<Technique> limits() {
   };
   return {{"limit: exact distribution", false, 0, 1, Format::Fp32, false, exact(false)},
           {"limit: exact, receiver's plane", false, 0, 1, Format::Fp32, false, exact(true)}};
-}
-
-std::vector<Technique> allTechniques() {
-  std::vector<Technique> all;
-  for (const auto& part : {varianceTechniques(), otherPeers(), momentTechniques(), layeredTechniques(), limits()}) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
 }
 
 }  // namespace lvsm::quality

@@ -7,6 +7,7 @@
 
 #include "filter.hpp"
 #include "parallel.hpp"
+#include "picture.hpp"
 #include "report.hpp"
 #include "scenes_layered.hpp"
 #include "scenes_mesh.hpp"
@@ -22,6 +23,7 @@ struct Options {
   std::vector<std::string> scenes;
   std::string model;
   std::string output = "build/reports/quality.json";
+  std::string pictures;
 };
 
 /// A scene that can be made when its turn comes.
@@ -38,9 +40,15 @@ bool contains(const std::string& name, const std::vector<std::string>& parts) {
 /// Each wanted name must mean something.
 std::optional<std::string> unknown(const std::vector<std::string>& wanted, const std::vector<std::string>& names) {
   for (const std::string& part : wanted) {
-    if (std::none_of(names.begin(), names.end(), [&](const std::string& name) { return contains(name, {part}); })) return part;
+    const auto means = [&](const std::string& name) { return contains(name, {part}); };
+    if (std::none_of(names.begin(), names.end(), means)) return part;
   }
   return std::nullopt;
+}
+
+std::string fileName(std::string name) {
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+  return name;
 }
 
 support::Result<std::vector<Plan>> planScenes(const Options& options) {
@@ -50,7 +58,9 @@ support::Result<std::vector<Plan>> planScenes(const Options& options) {
   for (const std::string& name : worlds) {
     for (const std::string& light : lightNames()) known.push_back(name + "-" + light);
   }
-  if (const auto name = unknown(options.scenes, known)) return support::Failure{"--scenes: there is no scene '" + *name + "'"};
+  if (const auto name = unknown(options.scenes, known)) {
+    return support::Failure{"--scenes: there is no scene '" + *name + "'"};
+  }
   const bool modelAlone = !options.model.empty() && options.scenes.empty();
 
   std::vector<Plan> plans;
@@ -97,9 +107,19 @@ support::Result<Run> measure(const Options& options) {
     if (receivers.empty()) return support::Failure{"scene '" + scene.name + "' has nothing that faces the light"};
     const std::size_t first = run.measurements.size();
     run.measurements.resize(first + techniques.size());
+    std::mutex mutex;
+    std::optional<std::string> problem;
     parallelFor(techniques.size(), [&](std::size_t t) {
-      run.measurements[first + t] = Judge(techniques[t], scene, receivers, kernel).measure();
+      const Judge judge(techniques[t], scene, receivers, kernel);
+      Measurement& measured = run.measurements[first + t];
+      measured = judge.measure();
+      if (options.pictures.empty()) return;
+      const std::string path = options.pictures + "/" + fileName(scene.name + " " + measured.technique) + ".png";
+      const auto failed = writePicture(judge, measured.setting, scene, receivers, path);
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (failed) problem = failed;
     });
+    if (problem) return support::Failure{"--pictures: " + *problem};
   }
   return run;
 }
@@ -112,12 +132,17 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app("Error of shadow map techniques against exact filtered visibility");
   app.add_option("--seed", options.seed, "Seed of the random scenes")->capture_default_str();
-  app.add_option("--size", options.size, "Texels along each side of the map")->check(CLI::Range(32, 2048))->capture_default_str();
-  app.add_option("--kernel", options.kernel, "Width of the binomial filter, odd")->check(CLI::Range(3, 25))->capture_default_str();
+  app.add_option("--size", options.size, "Texels along each side of the map")
+      ->check(CLI::Range(32, 2048))
+      ->capture_default_str();
+  app.add_option("--kernel", options.kernel, "Width of the binomial filter, odd")
+      ->check(CLI::Range(3, 25))
+      ->capture_default_str();
   app.add_option("--techniques", options.techniques, "Only those whose name contains one of these")->delimiter(',');
   app.add_option("--scenes", options.scenes, "Only those whose name contains one of these")->delimiter(',');
   app.add_option("--model", options.model, "A model of your own, in any format Assimp reads, instead of the scenes");
   app.add_option("--output", options.output, "Where the rows go, as JSON")->capture_default_str();
+  app.add_option("--pictures", options.pictures, "A folder for pictures of where the error is");
   CLI11_PARSE(app, argc, argv);
   if (options.kernel % 2 == 0) {
     std::fprintf(stderr, "--kernel: %d is even, and a filter has a middle\n", options.kernel);

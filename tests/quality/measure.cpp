@@ -10,7 +10,8 @@
 namespace lvsm::quality {
 namespace {
 
-constexpr std::size_t kChoiceStride = 16;  // the best setting is chosen on every 16th receiver
+constexpr std::size_t kChoiceReceivers = 3000;  // the best setting is chosen on about as many, evenly spread
+constexpr std::size_t kMostChannels = 64;
 constexpr int kRoundings = 3;              // storing, and two passes of the filter
 
 class Sum {
@@ -85,9 +86,11 @@ Image storedImage(const Technique& technique, const Estimator& estimator, const 
 const std::vector<Setting>& allSettings() {
   static const std::vector<Setting> settings = [] {
     std::vector<Setting> all;
-    for (const float shift : {0.0f, 0.3f, 1.0f, 3.0f}) {
+    for (const float shift : {0.0f, 0.15f, 0.3f, 0.6f, 1.0f, 3.0f}) {
       for (const float slopeFloor : {0.0f, 1.0f, 4.0f}) {
-        for (const float storedFloor : {0.01f, 0.1f, 0.5f}) all.push_back({shift, slopeFloor, storedFloor});
+        for (const float storedFloor : {0.003f, 0.03f, 0.3f, 3.0f, 10.0f}) {
+          all.push_back({shift, slopeFloor, storedFloor});
+        }
       }
     }
     return all;
@@ -100,18 +103,36 @@ Judge::Judge(const Technique& technique, const Scene& scene, const std::vector<R
     : technique_(technique),
       scene_(scene),
       receivers_(receivers),
-      deviation_(deviationOf(kernel)),
-      estimator_(technique.prepare({scene.peel, kernel})),
-      image_(storedImage(technique, *estimator_, {scene.peel, kernel})) {}
+      kernel_(technique.taps == 1 ? kernel : binomialKernel(static_cast<int>(kernel.size()) - 2)),
+      deviation_(static_cast<float>(deviationOf(kernel_))),
+      estimator_(technique.prepare({scene.peel, kernel_, deviation_})),
+      image_(storedImage(technique, *estimator_, {scene.peel, kernel_, deviation_})) {}
+
+float Judge::atTexel(const Receiver& receiver, float depth, const Setting& setting, const float* texel) const {
+  const glm::vec2 gradient = receiver.surface.gradient;
+  const float reach = 0.5f * std::sqrt(setting.slopeFloor) * deviation_;  // the floor is of 4 deviations^2
+  return estimator_->visibility({image_, texel, receiver.x, receiver.y, depth, gradient,
+                                 receiverMinVariance(0.0f, gradient, reach),
+                                 setting.storedFloor * kRoundings * depthErrorOf(technique_.format)});
+}
 
 float Judge::estimate(const Receiver& receiver, const Setting& setting) const {
   const glm::vec2 gradient = receiver.surface.gradient;
-  const float reach = 0.5f * std::sqrt(setting.slopeFloor) * static_cast<float>(deviation_);  // it takes 4 deviations^2
-  const float rounding = kRoundings * depthErrorOf(technique_.format);
-  return estimator_->visibility({image_, image_.texel(receiver.x, receiver.y), receiver.x, receiver.y,
-                                 shiftReceiver(receiver.surface.depth, gradient, setting.shift), gradient,
-                                 receiverMinVariance(0.0f, gradient, reach),
-                                 recommendedMinVariance(rounding, setting.storedFloor)});
+  const float depth = shiftReceiver(receiver.surface.depth, gradient, setting.shift);
+  if (technique_.taps == 1) return atTexel(receiver, depth, setting, image_.texel(receiver.x, receiver.y));
+
+  std::array<float, kMostChannels> sample;
+  float sum = 0.0f;
+  for (const glm::ivec2 low : {glm::ivec2(-1, -1), glm::ivec2(0, -1), glm::ivec2(-1, 0), glm::ivec2(0, 0)}) {
+    const int x = receiver.x + low.x;
+    const int y = receiver.y + low.y;
+    for (int c = 0; c < technique_.channels; ++c) {
+      sample[static_cast<std::size_t>(c)] = 0.25f * (image_.texel(x, y)[c] + image_.texel(x + 1, y)[c] +
+                                                     image_.texel(x, y + 1)[c] + image_.texel(x + 1, y + 1)[c]);
+    }
+    sum += atTexel(receiver, planeDepth(depth, gradient, glm::vec2(low) + 0.5f), setting, sample.data());
+  }
+  return 0.25f * sum;
 }
 
 double Judge::rmse(const Setting& setting, std::size_t stride) const {
@@ -124,12 +145,13 @@ double Judge::rmse(const Setting& setting, std::size_t stride) const {
 }
 
 Setting Judge::bestSetting() const {
-  const std::size_t stride = receivers_.size() > 1000 * kChoiceStride ? kChoiceStride : 1;
+  const std::size_t stride = std::max<std::size_t>(1, receivers_.size() / kChoiceReceivers);
   Setting best = kPlainSetting;
   double least = rmse(best, stride);
   for (const Setting& setting : allSettings()) {
-    const bool floored = setting.slopeFloor != kPlainSetting.slopeFloor || setting.storedFloor != kPlainSetting.storedFloor;
-    if (floored && !technique_.floors) continue;
+    const Setting& first = allSettings().front();
+    const bool otherFloor = setting.slopeFloor != first.slopeFloor || setting.storedFloor != first.storedFloor;
+    if (otherFloor && !technique_.floors) continue;
     const double error = rmse(setting, stride);
     if (error < least) {
       least = error;
@@ -140,7 +162,14 @@ Setting Judge::bestSetting() const {
 }
 
 Measurement Judge::measure() const {
-  Measurement result{technique_.name, technique_.peer, technique_.bits, scene_.name, scene_.mesh, bestSetting(), {}, {}, 0.0, 0.0, {}};
+  Measurement result;
+  result.technique = technique_.name;
+  result.peer = technique_.peer;
+  result.bits = technique_.bits;
+  result.taps = technique_.taps;
+  result.scene = scene_.name;
+  result.mesh = scene_.mesh;
+  result.setting = bestSetting();
   Sum all;
   Sum unweighted;
   Percentile percentile;

@@ -14,13 +14,13 @@ namespace lvsm::quality {
 struct Setting {
   float shift;         ///< of the receiver towards the light, in |dz/dx| + |dz/dy|
   float slopeFloor;    ///< variance floor, in (|grad z| sigma)^2 for the filter's deviation sigma
-  float storedFloor;   ///< accepted darkening from rounding, as recommendedMinVariance takes it; 1 is no floor
+  float storedFloor;   ///< variance floor in what is stored in [0,1], in the format's rounding error after the filter
 };
 
 const std::vector<Setting>& allSettings();
 
 /// No shift and no floor for slopes: what the techniques do by themselves.
-constexpr Setting kPlainSetting{0.0f, 0.0f, 0.1f};
+constexpr Setting kPlainSetting{0.0f, 0.0f, 1.0f};
 
 /// Errors of a set of receivers: estimate less truth.
 struct Errors {
@@ -37,15 +37,16 @@ constexpr std::array<const char*, 9> kGroupNames{"lit",  "penumbra", "shadow", "
 
 struct Measurement {
   std::string technique;
-  bool peer;
-  int bits;
+  bool peer = false;
+  int bits = 0;
+  int taps = 1;
   std::string scene;
-  bool mesh;
-  Setting setting;
+  bool mesh = false;
+  Setting setting = kPlainSetting;
   Errors all;              ///< weighted by n.l
   Errors unweighted;
-  double p99;              ///< 99th percentile of the size of the error, weighted by n.l
-  double plainRmse;        ///< with kPlainSetting
+  double p99 = 0.0;             ///< 99th percentile of the size of the error, weighted by n.l
+  double plainRmse = 0.0;        ///< with kPlainSetting
   std::array<Errors, kGroupNames.size()> groups;  ///< weighted by n.l
 };
 
@@ -61,11 +62,13 @@ class Judge {
 
  private:
   double rmse(const Setting& setting, std::size_t stride) const;
+  float atTexel(const Receiver& receiver, float depth, const Setting& setting, const float* texel) const;
 
   const Technique& technique_;
   const Scene& scene_;
   const std::vector<Receiver>& receivers_;
-  double deviation_;
+  std::vector<double> kernel_;
+  float deviation_;
   std::unique_ptr<Estimator> estimator_;
   Image image_;
 };

@@ -14,7 +14,7 @@ namespace {
 
 bool isFinite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void addMesh(Mesh& mesh, const aiMesh& source, UpAxis up) {
+void addMesh(Mesh& mesh, const aiMesh& source) {
   for (unsigned face = 0; face < source.mNumFaces; ++face) {
     const aiFace& indices = source.mFaces[face];
     if (indices.mNumIndices != 3) continue;
@@ -22,7 +22,7 @@ void addMesh(Mesh& mesh, const aiMesh& source, UpAxis up) {
     bool usable = true;
     for (unsigned i = 0; i < 3; ++i) {
       const aiVector3D& v = source.mVertices[indices.mIndices[i]];
-      triangle.corners[i] = up == UpAxis::Y ? glm::vec3(v.x, v.y, v.z) : glm::vec3(v.x, v.z, -v.y);
+      triangle.corners[i] = glm::vec3(v.x, v.y, v.z);
       usable = usable && isFinite(triangle.corners[i]);
     }
     if (usable) mesh.push_back(triangle);
@@ -56,7 +56,7 @@ void standOnGround(Mesh& mesh) {
 
 }  // namespace
 
-support::Result<Mesh> loadModel(const std::string& path, UpAxis up) {
+support::Result<Mesh> loadModel(const std::string& path) {
   const auto failure = [&](const std::string& reason) {
     return support::Failure{"cannot read the model '" + path + "': " + reason};
   };
@@ -69,7 +69,7 @@ support::Result<Mesh> loadModel(const std::string& path, UpAxis up) {
   if (scene == nullptr) return failure(importer.GetErrorString());
 
   Mesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) addMesh(mesh, *scene->mMeshes[i], up);
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) addMesh(mesh, *scene->mMeshes[i]);
   if (mesh.empty()) return failure("it holds no triangles");
   standOnGround(mesh);
   if (signedVolume(mesh) < 0.0) {

@@ -22,11 +22,9 @@ class Random {
   std::mt19937 generator_;
 };
 
-enum class UpAxis { Y, Z };
-
-/// Reads a model and stands it on the ground at the origin, of height 1, faces outwards. An inconsistent one counts
-/// as closed too.
-support::Result<Mesh> loadModel(const std::string& path, UpAxis up);
+/// Reads a model and stands it on the ground at the origin, of height 1 or width 10; y is up. Its faces are turned
+/// outwards all together, if they are not.
+support::Result<Mesh> loadModel(const std::string& path);
 
 /// Adds a copy of a model: scaled, turned about the vertical by an angle in degrees, and moved.
 void place(Mesh& mesh, const Mesh& model, glm::vec3 foot, float scale, float turn);

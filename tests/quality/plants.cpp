@@ -12,7 +12,8 @@ constexpr int kLeaves = 420;
 
 void addBar(Mesh& mesh, glm::vec3 from, glm::vec3 to, float radiusFrom, float radiusTo) {
   const glm::vec3 axis = glm::normalize(to - from);
-  const glm::vec3 side = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+  const glm::vec3 helper = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 side = glm::normalize(glm::cross(axis, helper));
   const glm::vec3 other = glm::cross(axis, side);
   const auto outwards = [&](int i) {
     const float angle = 6.2831853f * static_cast<float>(i) / kBarSides;

@@ -26,6 +26,7 @@ Json row(const Measurement& m, unsigned seed) {
           {"dark", m.all.dark},
           {"p99", m.p99},
           {"mesh", m.mesh},
+          {"taps", m.taps},
           {"shift", m.setting.shift},
           {"slope_floor", m.setting.slopeFloor},
           {"stored_floor", m.setting.storedFloor},

@@ -20,7 +20,7 @@ constexpr NamedLight kLights[] = {{"steep", false, 68.0f, 35.0f},
                                   {"spot", true, 45.0f, -30.0f}};
 
 support::Result<Mesh> bunnies() {
-  support::Result<Mesh> bunny = loadModel(kGlmark + "bunny.obj", UpAxis::Y);
+  support::Result<Mesh> bunny = loadModel(kGlmark + "bunny.obj");
   if (!bunny) return bunny;
   Mesh mesh;
   addGround(mesh, {-2.2f, -1.8f}, {2.2f, 1.8f});
@@ -32,26 +32,23 @@ support::Result<Mesh> bunnies() {
 }
 
 support::Result<Mesh> herd(Random& random) {
-  support::Result<Mesh> horse = loadModel(kGlmark + "horse.3ds", UpAxis::Z);
+  support::Result<Mesh> horse = loadModel(kGlmark + "horse.3ds");
   if (!horse) return horse;
-  support::Result<Mesh> cat = loadModel(kGlmark + "cat.3ds", UpAxis::Z);
-  if (!cat) return cat;
   Mesh mesh;
   addGround(mesh, {-3.4f, -2.6f}, {3.4f, 2.6f});
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 5; ++column) {
       const glm::vec3 foot{1.2f * (static_cast<float>(column) - 2.0f) + random.uniform(-0.25f, 0.25f), 0.0f,
                            1.2f * (static_cast<float>(row) - 1.5f) + random.uniform(-0.25f, 0.25f)};
-      const bool small = (row + column) % 4 == 3;
-      const float turn = random.uniform(-50.0f, 50.0f);
-      place(mesh, small ? *cat : *horse, foot, small ? 0.4f : random.uniform(0.8f, 1.1f), turn);
+      const float scale = random.uniform(0.6f, 1.1f);
+      place(mesh, *horse, foot, scale, random.uniform(-50.0f, 50.0f));
     }
   }
   return mesh;
 }
 
 support::Result<Mesh> machine() {
-  support::Result<Mesh> engine = loadModel(kAssimp + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", UpAxis::Y);
+  support::Result<Mesh> engine = loadModel(kAssimp + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
   if (!engine) return engine;
   Mesh mesh;
   addGround(mesh, {-2.6f, -2.0f}, {2.6f, 2.0f});
@@ -99,7 +96,9 @@ Mesh street(Random& random) {
     const glm::vec3 at{random.uniform(-3.3f, 3.0f), 0.0f, random.uniform(-0.35f, 0.1f)};
     addBox(mesh, at + glm::vec3(0.0f, 0.06f, 0.0f), at + glm::vec3(0.5f, 0.17f, 0.2f));
     addBox(mesh, at + glm::vec3(0.1f, 0.17f, 0.02f), at + glm::vec3(0.4f, 0.27f, 0.18f));
-    for (const float x : {0.05f, 0.35f}) addBox(mesh, at + glm::vec3(x, 0.0f, 0.0f), at + glm::vec3(x + 0.1f, 0.1f, 0.2f));
+    for (const float x : {0.05f, 0.35f}) {
+      addBox(mesh, at + glm::vec3(x, 0.0f, 0.0f), at + glm::vec3(x + 0.1f, 0.1f, 0.2f));
+    }
   }
   return mesh;
 }
@@ -130,7 +129,7 @@ support::Result<Mesh> world(const std::string& name, unsigned seed) {
 }
 
 support::Result<Mesh> modelWorld(const std::string& path) {
-  support::Result<Mesh> model = loadModel(path, UpAxis::Y);
+  support::Result<Mesh> model = loadModel(path);
   if (!model) return model;
   Mesh mesh;
   addGround(mesh, {-1.6f, -1.4f}, {1.6f, 1.4f});

@@ -72,7 +72,8 @@ void printHeader(const Columns& columns, const std::string& first, std::ostream&
   out << '\n';
 }
 
-void printLine(const Columns& columns, const std::string& name, const Columns::Row& row, int digits, std::ostream& out) {
+void printLine(const Columns& columns, const std::string& name, const Columns::Row& row, int digits,
+               std::ostream& out) {
   out << "| " << name << " |";
   for (const std::string& column : columns.names()) {
     const auto at = row.find(column);
@@ -89,6 +90,23 @@ Columns::Row ratio(const Columns::Row& ours, const Columns::Row& peer) {
   }
   return result;
 }
+
+/// The best of ours at some bits, and the best peer at those or fewer.
+struct Best {
+  const Line* ours = nullptr;
+  const Line* peer = nullptr;
+
+  void consider(const Line& line, const Columns& columns) {
+    const Line*& best = line.technique->peer ? peer : ours;
+    if (best == nullptr || columns.rank(line.row) < columns.rank(best->row)) best = &line;
+  }
+
+  void print(const std::string& what, const Columns& columns, std::ostream& out) const {
+    if (ours == nullptr || peer == nullptr) return;
+    const std::string pair = ours->technique->technique + " / " + peer->technique->technique;
+    printLine(columns, "**" + what + pair + "**", ratio(ours->row, peer->row), 2, out);
+  }
+};
 
 }  // namespace
 
@@ -108,21 +126,21 @@ void printTables(const Run& run, std::ostream& out) {
   out << "RMSE against exact filtered visibility, weighted by n.l; each technique at its best shift and floor in each "
          "scene.\nMeshes: mean over the lights. " << run.size << " x " << run.size << " texels, kernel " << run.kernel
       << ", seed " << run.seed << ".\n";
-  const Line* bestPeer = nullptr;
+  Best oneTap;
+  Best anyTaps;
   for (auto& [bits, lines] : byBits) {
     std::stable_sort(lines.begin(), lines.end(),
                      [&](const Line& a, const Line& b) { return columns.rank(a.row) < columns.rank(b.row); });
     printHeader(columns, bits > 0 ? std::to_string(bits) + " bits" : "limits", out);
-    const Line* bestOurs = nullptr;
+    oneTap.ours = anyTaps.ours = nullptr;
     for (const Line& line : lines) {
       printLine(columns, line.technique->technique + (line.technique->peer ? " (peer)" : ""), line.row, 4, out);
-      const Line*& best = line.technique->peer ? bestPeer : bestOurs;
-      if (bits > 0 && (best == nullptr || columns.rank(line.row) < columns.rank(best->row))) best = &line;
+      if (bits == 0) continue;
+      anyTaps.consider(line, columns);
+      if (line.technique->taps == 1) oneTap.consider(line, columns);
     }
-    if (bits > 0 && bestOurs != nullptr && bestPeer != nullptr) {
-      const std::string pair = bestOurs->technique->technique + " / " + bestPeer->technique->technique;
-      printLine(columns, "**" + pair + "**", ratio(bestOurs->row, bestPeer->row), 2, out);
-    }
+    oneTap.print("one tap: ", columns, out);
+    if (anyTaps.ours != oneTap.ours) anyTaps.print("any taps: ", columns, out);
   }
 }
 

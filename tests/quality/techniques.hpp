@@ -35,6 +35,7 @@ class Estimator {
 struct Map {
   const Peel& peel;
   const std::vector<double>& kernel;
+  float deviation;  ///< of the filter, in texels
 };
 
 struct Technique {
@@ -45,7 +46,13 @@ struct Technique {
   Format format;
   bool floors;       ///< whether a variance floor means anything to it
   std::function<std::unique_ptr<Estimator>(const Map&)> prepare;
+  int taps = 1;      ///< 1, or 4: see fourTaps
 };
+
+/// The same technique judged four times, from samples half a texel away in x and in y. The filter is two taps narrower:
+/// with the bilinear samples and the mean of the four it covers the same window with the same weights. Each sample is
+/// compared with the receiver's plane there.
+Technique fourTaps(Technique technique);
 
 /// Everything that is measured, limits last.
 std::vector<Technique> allTechniques();

@@ -37,7 +37,9 @@ class LayeredMsm4 : public Estimator {
   explicit LayeredMsm4(Splits splits) : splits_(std::move(splits)) {}
 
   void store(const Surface& nearest, float* texel) const override {
-    for (int i = 0; i < splits_.count(); ++i) keep(layerMoments4(nearest.depth, splits_.interval(i)), true, texel + 4 * i);
+    for (int i = 0; i < splits_.count(); ++i) {
+      keep(layerMoments4(nearest.depth, splits_.interval(i)), true, texel + 4 * i);
+    }
   }
 
   float visibility(const Query& q) const override {
@@ -45,7 +47,8 @@ class LayeredMsm4 : public Estimator {
     const auto moments = [&](int i) { return kept(q.texel + 4 * i, true); };
     const glm::vec4 front = layer > 0 ? moments(layer - 1) : glm::vec4(1.0f);
     const glm::vec4 behind = layer + 1 < splits_.count() ? moments(layer + 1) : glm::vec4(-1.0f, 1.0f, -1.0f, 1.0f);
-    return bracketedVisibility4(front, moments(layer), behind, q.depth, splits_.interval(layer), kMoment4BiasUnorm16<float>);
+    return bracketedVisibility4(front, moments(layer), behind, q.depth, splits_.interval(layer),
+                                kMoment4BiasUnorm16<float>);
   }
 
  private:
@@ -60,6 +63,8 @@ std::vector<Technique> momentTechniques() {
       {"MSM4 unorm8", true, 32, 4, Format::Unorm8, false, fixed<Msm4>(true, kBias8)},
       {"MSM4 unorm16", true, 64, 4, Format::Unorm16, false, fixed<Msm4>(true, kMoment4BiasUnorm16<float>)},
       {"MSM4 rgba32f", true, 128, 4, Format::Fp32, false, fixed<Msm4>(false, kMoment4BiasFp32<float>)}};
+  all.push_back(fourTaps(all[1]));
+  all.push_back(fourTaps(all[2]));
   for (const int count : {2, 4}) {
     for (const Placement placement : {Placement::Uniform, Placement::Optimal}) {
       const std::string name = "MSM4 x " + std::to_string(count) + " layers unorm16, " + nameOf(placement);

@@ -20,7 +20,10 @@ class Esm : public Estimator {
 class Csm : public Estimator {
  public:
   Csm(int order, float strength, bool offset)
-      : order_(order), strength_(strength), offset_(offset ? fourierOffset<float>(order) : 0.0f), scale_(offset ? 1.0f : 2.0f) {}
+      : order_(order),
+        strength_(strength),
+        offset_(offset ? fourierOffset<float>(order) : 0.0f),
+        scale_(offset ? 1.0f : 2.0f) {}
 
   void store(const Surface& nearest, float* texel) const override {
     for (int first = 1; first <= order_; first += 4, texel += 8) {
@@ -55,9 +58,10 @@ class Csm : public Estimator {
 std::vector<Technique> otherPeers() {
   std::vector<Technique> all{{"ESM r32f 80", true, 32, 1, Format::Fp32, false, fixed<Esm>(80.0f)}};
   for (const int order : {4, 8, 16}) {
-    const std::string name = "CSM-" + std::to_string(order) + " unorm8";
-    all.push_back({name + " offset", true, 16 * order, 2 * order, Format::Unorm8, false, fixed<Csm>(order, 1.0f, true)});
-    all.push_back({name + " scale", true, 16 * order, 2 * order, Format::Unorm8, false, fixed<Csm>(order, 1.0f, false)});
+    for (const bool offset : {true, false}) {
+      const std::string name = "CSM-" + std::to_string(order) + " unorm8 " + (offset ? "offset" : "scale");
+      all.push_back({name, true, 16 * order, 2 * order, Format::Unorm8, false, fixed<Csm>(order, 1.0f, offset)});
+    }
   }
   return all;
 }

@@ -1,5 +1,6 @@
 #include "truth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -7,6 +8,9 @@
 
 namespace lvsm::quality {
 namespace {
+
+// Between two points a surface may be steeper than at both: by this share of their slopes.
+constexpr float kRoom = 0.25f;
 
 Receiver judged(const Scene& scene, const std::vector<double>& kernel, int x, int y, const Surface& surface) {
   const int radius = static_cast<int>(kernel.size()) / 2;
@@ -43,12 +47,13 @@ float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ive
   for (const Surface* s = peel.begin(x + offset.x, y + offset.y); s != peel.end(x + offset.x, y + offset.y); ++s) {
     const float away = std::abs(s->depth - plane);
     const float bend = std::abs(glm::dot(s->gradient - receiver.gradient, step));
-    if (away < least && away <= bend + kSameDepth) {
+    const float room = kRoom * glm::length(step) * (glm::length(s->gradient) + glm::length(receiver.gradient));
+    if (away < least && away <= bend + room + kSameDepth) {
       least = away;
       own = s->depth;
     }
   }
-  return own;
+  return std::min(own, 1.0f);  // an empty texel's depth, which no plane is behind
 }
 
 std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>& kernel) {

@@ -19,7 +19,8 @@ struct Receiver {
 constexpr float kSameDepth = 1.0e-6f;
 
 /// Depth of the receiver's own surface at a tap: that of the surface there that is nearest to the receiver's plane, if
-/// a surface that starts with the one slope and ends with the other can reach it, else that of the plane.
+/// a surface that starts with the one slope and ends with the other can reach it, else that of the plane. So a bent
+/// surface is not its own shadow, and past a surface's edge what lies behind or in front is not taken for it.
 float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset);
 
 /// Every light-facing surface of every texel that is more than the filter's radius away from the border.
