@@ -131,8 +131,9 @@ float lvsm_bracketedBoundedVisibility(vec2 front, vec2 moments, vec2 behind, flo
 }
 
 /// Visibility of a receiver from the one texel that holds both of two layers: bracketedVisibility with few operations.
-/// texel: as packLayers made it, filtered. depth: the receiver's, in [0,1]. split: between the two layers, in [0,1].
-/// minVariance: the global floor in depth squared, >= 0.
+/// texel: as packLayers made it, filtered. depth: the receiver's, in [0,1]; one beyond 1 is no lighter than one at 1.
+/// split: between the two layers, in [0,1], clamped to it. minVariance: the global floor in depth squared, from 0 to a
+/// quarter of the squared length of the receiver's layer, the largest variance there is; more is not clamped to it.
 /// Result in [0,1]; an upper bound on the lit share of the window where the layers do not overlap.
 /// Source: bracketedVisibility for the layer that holds the receiver, both sides multiplied by the layer's length.
 float lvsm_bracketedVisibility2(vec4 texel, float depth, float split, float minVariance)
@@ -141,8 +142,8 @@ float lvsm_bracketedVisibility2(vec4 texel, float depth, float split, float minV
     // behind the split holds for the one in front, and one division gives the share in the other layer.
     float middle = clamp(split, 0.0, 1.0);
     bool isBehind = depth >= middle;
-    float front1 = 1.0 - texel.x;
-    float front2 = texel.y - 1.0 + 2.0 * front1;
+    float front1 = clamp(1.0 - texel.x, 0.0, 1.0);
+    float front2 = clamp(texel.y - 1.0 + 2.0 * front1, 0.0, 1.0);
     float own1 = isBehind ? texel.z : front1;
     float own2 = isBehind ? texel.w : front2;
     float other1 = isBehind ? front1 : texel.z;

@@ -154,8 +154,9 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
 }
 
 /// Visibility of a receiver from the one texel that holds both of two layers: bracketedVisibility with few operations.
-/// texel: as packLayers made it, filtered. depth: the receiver's, in [0,1]. split: between the two layers, in [0,1].
-/// minVariance: the global floor in depth squared, >= 0.
+/// texel: as packLayers made it, filtered. depth: the receiver's, in [0,1]; one beyond 1 is no lighter than one at 1.
+/// split: between the two layers, in [0,1], clamped to it. minVariance: the global floor in depth squared, from 0 to a
+/// quarter of the squared length of the receiver's layer, the largest variance there is; more is not clamped to it.
 /// Result in [0,1]; an upper bound on the lit share of the window where the layers do not overlap.
 /// Source: bracketedVisibility for the layer that holds the receiver, both sides multiplied by the layer's length.
 template <typename T, glm::qualifier Q>
@@ -165,8 +166,8 @@ T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVa
     // behind the split holds for the one in front, and one division gives the share in the other layer.
     const T middle = detail::clamp(split, T(0), T(1));
     const bool isBehind = depth >= middle;
-    const T front1 = T(1) - texel.x;
-    const T front2 = texel.y - T(1) + T(2) * front1;
+    const T front1 = detail::clamp(T(1) - texel.x, T(0), T(1));
+    const T front2 = detail::clamp(texel.y - T(1) + T(2) * front1, T(0), T(1));
     const T own1 = isBehind ? texel.z : front1;
     const T own2 = isBehind ? texel.w : front2;
     const T other1 = isBehind ? front1 : texel.z;

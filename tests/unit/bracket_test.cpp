@@ -227,10 +227,16 @@ TEST_CASE("bracketedVisibility2 is bracketedVisibility for two layers") {
     const double depth = random.unit<double>();
     const Vec4<double> texel = packLayers(window.moments({0.0, splits[1]}), window.moments({splits[1], 1.0}));
     const Bracket bracket(window, splits, layerIndex(depth, splits, 2), 2);
-    const double two = bracketedVisibility2(texel, depth, splits[1], 1e-6);
-    const double general = bracket.visibility(depth, 1e-6);
+    // The floor reaches up to the largest variance in the receiver's layer.
+    const double length = depth < splits[1] ? splits[1] : 1 - splits[1];
+    const double floor = 1e-6 * std::pow(0.25 * length * length / 1e-6, random.unit<double>());
+    const double two = bracketedVisibility2(texel, depth, splits[1], floor);
+    const double general = bracket.visibility(depth, floor);
     // d is off by a few 2^-53 against a least d or deviation of 1e-3.
     tally.claim(std::abs(two - general) < 1e-9, depth, splits[1], two, general);
+    const double last = bracketedVisibility2(texel, 1.0, splits[1], floor);
+    const double beyond = bracketedVisibility2(texel, 1 + depth, splits[1], floor);
+    tally.claim(beyond >= 0 && beyond <= last, depth, splits[1], beyond, last);
   }
   LVSM_CHECK_TALLY(tally);
 }
