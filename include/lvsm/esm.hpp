@@ -18,7 +18,8 @@ constexpr T kMaxTermExponent = T(87.3365);
 
 /// Largest c whose occluder terms a storage format can hold and a filter can sum.
 /// largest: the format's largest finite value, see kLargest constants; less than 1 counts as 1.
-/// headRoom: how often an unnormalised filter sum holds its largest sample, >= 1 (1 for weights that sum to 1).
+/// headRoom: how often an unnormalised filter sum holds its largest sample, >= 1 (1 for weights that sum to 1). Each
+/// rounding to fp16 on the way needs 1/2048 more of it.
 /// Result in [0, 87.3365]: 11.09 for fp16 and 87.3365 for fp32 without head room. Rounding by a share of the term (at
 /// most 2^-11 in fp16, 2^-24 in fp32) changes visibility by the same share.
 /// Source: headRoom e^c <= largest, solved for c; ESM section 3.1.

@@ -120,6 +120,24 @@ TEST_CASE("maxTermExponent is the largest that a format bears") {
   CHECK(maxTermExponent(double(FLT_MAX), 6142.0) < 80);
 }
 
+TEST_CASE("the largest exponent's terms are finite in fp16, head room and its roundings included") {
+  for (int samples = 1; samples <= 1024; ++samples) {
+    // One rounding to fp16 in the store and one in the sum: each relative 2^-11.
+    const double headRoom = samples == 1 ? 1.0 : samples * (1 + 2 * 0x1p-11);
+    const double c = maxTermExponent(kLargestFp16<double>, headRoom);
+    CAPTURE(samples);
+    CHECK(std::isfinite(toFp16(samples * toFp16(occluderTerm(1.0, c)))));
+    CHECK(std::isinf(toFp16(samples * toFp16(occluderTerm(1.0, c + 0.004)))));
+  }
+  // Without its roundings in the head room a sum can overflow.
+  bool overflows = false;
+  for (int samples = 2; samples <= 1024; ++samples) {
+    const double c = maxTermExponent(kLargestFp16<double>, double(samples));
+    overflows |= std::isinf(toFp16(samples * toFp16(occluderTerm(1.0, c))));
+  }
+  CHECK(overflows);
+}
+
 TEST_CASE("at the largest exponent both factors are normal floats") {
   const float c = maxTermExponent(kLargestFp32<float>, 1.0f);
   CHECK(c == kMaxTermExponent<float>);

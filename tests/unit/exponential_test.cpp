@@ -26,14 +26,6 @@ Vec2<T> negative(const Vec4<T>& moments) {
   return {moments.z, moments.w};
 }
 
-// Rounds to the 11 significant bits of fp16, to infinity past its largest value.
-double toFp16(double x) {
-  if (std::isinf(x)) return x;
-  const double step = std::ldexp(1.0, std::max(std::ilogb(x), -14) - 10);
-  const double nearest = std::nearbyint(x / step) * step;
-  return nearest > 65504.0 ? std::numeric_limits<double>::infinity() : nearest;
-}
-
 TEST_CASE_TEMPLATE("exponentialWarp is e^(cx) and -e^(-cx) of the depth remapped to [-1,1]", T, float, double) {
   Tally tally;
   for (const Vec2<T>& c : exponentPairs<T>()) {

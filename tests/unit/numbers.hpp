@@ -104,6 +104,14 @@ std::vector<T> specialValues() {
   return values;
 }
 
+// Rounds to the 11 significant bits of fp16, to infinity past its largest value.
+inline double toFp16(double x) {
+  if (std::isinf(x)) return x;
+  const double step = std::ldexp(1.0, std::max(std::ilogb(x), -14) - 10);
+  const double nearest = std::nearbyint(x / step) * step;
+  return nearest > 65504.0 ? std::numeric_limits<double>::infinity() : nearest;
+}
+
 // Many claims of one kind: how many were made, and the values at the first that failed.
 class Tally {
  public:
