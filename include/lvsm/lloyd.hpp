@@ -279,6 +279,7 @@ RelaxResult<T> relaxImage(bool hasImage, int width, int height, T* splits, int l
 } // namespace detail
 
 /// Splits for an image of depths, by Lloyd relaxation.
+/// A local optimum: teleportation can put a split back where its cluster is empty, and two peaks share another then.
 /// depths: width x height of them, row by row, in [0,1], clamped to it. splits: layerCount + 1 values, written from 0
 /// to 1 and not decreasing; the start where options say so. layerCount: at least 1.
 /// Result: why it stopped, the iterations and the last movement, or the reason why the input makes no sense.

@@ -115,6 +115,17 @@ TEST_CASE_TEMPLATE("lloydRelax teleports splits that no occluder is near", T, fl
   for (std::size_t i = 0; i < near.size(); ++i) CHECK(isNear(splits[i + 1], near[i]));
 }
 
+TEST_CASE_TEMPLATE("counterexample: a teleported split comes back to its empty cluster", T, float, double) {
+  // A peak for each split. Edges from 0 to 0.05, 0.1 and 0.2 weigh as 1, 4 and 16: the first two share a split at
+  // their mean, (0.05 + 4 * 0.1) / 5 = 0.09. The layer between it and the split at 0.2 is the heaviest, so its middle
+  // gets the empty split, though no occluder is near: it is taken from there and put back.
+  std::vector<T> splits = emptySplits<T>(4);
+  CHECK(stripes<T>({T(0.05), T(0.1), T(0.2)}).relax(splits).status == RelaxStatus::Converged);
+  CHECK(isNear(splits[1], 0.09L));
+  CHECK(isNear(splits[2], 0.145L));
+  CHECK(isNear(splits[3], 0.2L));
+}
+
 TEST_CASE_TEMPLATE("lloydRelax survives fewer peaks than splits", T, float, double) {
   for (const T peak : {T(0.05), T(0.5), T(0.97), T(1)}) {
     for (int layers = 2; layers <= 12; ++layers) {
