@@ -29,6 +29,16 @@ TEST_CASE_TEMPLATE("receiverGradient recovers the plane of a receiver", T, float
   LVSM_CHECK_TALLY(tally);
 }
 
+TEST_CASE("receiverGradient of a receiver that is steeper than any quotient can say ends at one per texel") {
+  // A determinant of 1.2e-38, hardly over 2^-126, under cofactors of 1e10 and 1e-12.
+  const auto found = [](float x, float y) {
+    return receiverGradient(Vec3<float>(1.2e-30f, 0, x), Vec3<float>(0, 1.0e-8f, y));
+  };
+  CHECK(found(1.0e18f, -1.0e18f) == Vec2<float>(1, -1));
+  CHECK(found(-3.0e38f, 3.0e38f) == Vec2<float>(-1, 1));
+  CHECK(found(0, 0) == Vec2<float>(0));
+}
+
 TEST_CASE_TEMPLATE("shiftReceiver by the filter's reach goes in front of all of the receiver's own samples", T, float,
                    double) {
   Random random(122);
