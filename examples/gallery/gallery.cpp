@@ -118,7 +118,8 @@ private:
 
     Row renderTechnique(const Subject& subject, const Technique& technique, const TechniqueRunner& runner) const
     {
-        const auto fileOf = [&](const std::string& suffix) {
+        const auto fileOf = [&](const std::string& suffix)
+        {
             return fileName(subject.scene, subject.light, technique.id + suffix);
         };
         const bool layered = technique.layerCount > 1;
@@ -157,10 +158,7 @@ private:
         return scene.id + "-" + light.id + "-" + what + ".png";
     }
 
-    std::string path(const std::string& file) const
-    {
-        return (m_folder / file).string();
-    }
+    std::string path(const std::string& file) const { return (m_folder / file).string(); }
 
     const VulkanContext& m_gpu;
     GalleryOptions m_options;

@@ -117,9 +117,8 @@ Image makeImage(const VulkanContext& gpu, vk::Format format, vk::Extent2D extent
     result.view = {gpu.device, vk::ImageViewCreateInfo({}, *result.image, vk::ImageViewType::e2DArray, format, {},
                                                        everything(layers))};
 
-    support::submit(gpu, [&](vk::raii::CommandBuffer& commands) {
-        changeLayout(commands, result, vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral);
-    });
+    support::submit(gpu, [&](vk::raii::CommandBuffer& commands)
+                    { changeLayout(commands, result, vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral); });
     return result;
 }
 
@@ -129,12 +128,14 @@ std::vector<std::byte> readBytes(const VulkanContext& gpu, const Image& image, s
     const Buffer buffer = support::makeBuffer(gpu, size, vk::BufferUsageFlagBits::eTransferDst);
     const vk::BufferImageCopy region(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
                                      vk::Extent3D(image.extent, 1));
-    support::submit(gpu, [&](vk::raii::CommandBuffer& commands) {
-        constexpr auto source = vk::ImageLayout::eTransferSrcOptimal;
-        changeLayout(commands, image, vk::ImageLayout::eGeneral, source);
-        commands.copyImageToBuffer(*image.image, source, *buffer.buffer, region);
-        changeLayout(commands, image, source, vk::ImageLayout::eGeneral);
-    });
+    support::submit(gpu,
+                    [&](vk::raii::CommandBuffer& commands)
+                    {
+                        constexpr auto source = vk::ImageLayout::eTransferSrcOptimal;
+                        changeLayout(commands, image, vk::ImageLayout::eGeneral, source);
+                        commands.copyImageToBuffer(*image.image, source, *buffer.buffer, region);
+                        changeLayout(commands, image, source, vk::ImageLayout::eGeneral);
+                    });
     return {buffer.data, buffer.data + size};
 }
 
@@ -154,7 +155,8 @@ Kernel::Kernel(const VulkanContext& gpu, const std::vector<std::uint32_t>& spirv
     : m_gpu(gpu), m_bindings(std::move(bindings)), m_pushBytes(pushBytes), m_sampler(makeSampler(gpu)),
       m_setLayout(makeSetLayout(gpu, m_bindings)), m_layout(makeLayout(gpu, m_setLayout, pushBytes)),
       m_pipeline(makePipeline(gpu, spirv, m_layout))
-{}
+{
+}
 
 void Kernel::run(const std::vector<Resource>& resources, vk::Extent2D extent, std::uint32_t layers,
                  const void* push) const
@@ -168,18 +170,24 @@ void Kernel::run(const std::vector<Resource>& resources, vk::Extent2D extent, st
     for (std::uint32_t i = 0; i < resources.size(); ++i)
         bind(m_gpu, *sets[0], i, resources[i], *m_sampler);
 
-    const auto groups = [](std::uint32_t texels) { return (texels + kGroupSize - 1) / kGroupSize; };
-    support::submit(m_gpu, [&](vk::raii::CommandBuffer& commands) {
-        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, *sets[0], {});
-        if (m_pushBytes > 0)
-        {
-            const auto* bytes = static_cast<const std::uint8_t*>(push);
-            commands.pushConstants<std::uint8_t>(*m_layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                                 vk::ArrayProxy<const std::uint8_t>(m_pushBytes, bytes));
-        }
-        commands.dispatch(groups(extent.width), groups(extent.height), layers);
-    });
+    const auto groups = [](std::uint32_t texels)
+    {
+        return (texels + kGroupSize - 1) / kGroupSize;
+    };
+    support::submit(m_gpu,
+                    [&](vk::raii::CommandBuffer& commands)
+                    {
+                        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *m_pipeline);
+                        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, *sets[0], {});
+                        if (m_pushBytes > 0)
+                        {
+                            const auto* bytes = static_cast<const std::uint8_t*>(push);
+                            commands.pushConstants<std::uint8_t>(
+                                *m_layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                vk::ArrayProxy<const std::uint8_t>(m_pushBytes, bytes));
+                        }
+                        commands.dispatch(groups(extent.width), groups(extent.height), layers);
+                    });
 }
 
 } // namespace lvsm::gallery

@@ -39,7 +39,8 @@ glm::vec2 distanceRange(const Scene& scene, const glm::mat4& inverseViewProjecti
                         const std::function<float(glm::vec3)>& distance)
 {
     glm::vec2 range(distance(scene.focus.corner(0)));
-    const auto include = [&](glm::vec3 point) {
+    const auto include = [&](glm::vec3 point)
+    {
         range = {std::min(range.x, distance(point)), std::max(range.y, distance(point))};
     };
     for (int i = 0; i < kCorners; ++i)

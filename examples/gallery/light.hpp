@@ -27,15 +27,9 @@ struct Light
     std::string title;
     LightBlock block;
 
-    bool isSpot() const
-    {
-        return block.position.w > 0.0f;
-    }
+    bool isSpot() const { return block.position.w > 0.0f; }
     glm::vec3 towards(glm::vec3 point) const;
-    float metresPerDepth() const
-    {
-        return block.range.y - block.range.x;
-    }
+    float metresPerDepth() const { return block.range.y - block.range.x; }
 };
 
 /// A spot and a directional light, fitted to the scene's focus.

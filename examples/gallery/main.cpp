@@ -60,10 +60,7 @@ public:
         fs::remove_all(m_pending, ignored);
     }
 
-    const fs::path& path() const
-    {
-        return m_pending;
-    }
+    const fs::path& path() const { return m_pending; }
 
     void publish()
     {

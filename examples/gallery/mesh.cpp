@@ -60,7 +60,8 @@ void addBar(Mesh& mesh, glm::vec3 from, glm::vec3 to, float radiusFrom, float ra
     const glm::vec3 axis = glm::normalize(to - from);
     const glm::vec3 right = anyPerpendicular(axis);
     const glm::vec3 up = glm::cross(axis, right);
-    const auto outwards = [&](int side) {
+    const auto outwards = [&](int side)
+    {
         const float angle = glm::two_pi<float>() * static_cast<float>(side) / kBarSides;
         return right * std::cos(angle) + up * std::sin(angle);
     };

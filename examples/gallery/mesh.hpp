@@ -33,10 +33,7 @@ struct Box
     glm::vec3 low;
     glm::vec3 high;
 
-    glm::vec3 centre() const
-    {
-        return 0.5f * (low + high);
-    }
+    glm::vec3 centre() const { return 0.5f * (low + high); }
     glm::vec3 corner(int index) const;
 };
 

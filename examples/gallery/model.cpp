@@ -72,7 +72,8 @@ void standOnGround(Mesh& mesh, float height, float width)
 
 support::Result<Mesh> loadModel(const std::string& path, float height, float width)
 {
-    const auto failure = [&](const std::string& reason) {
+    const auto failure = [&](const std::string& reason)
+    {
         return support::Failure{"cannot read the model '" + path + "': " + reason};
     };
     if (!std::filesystem::is_regular_file(path))

@@ -88,7 +88,8 @@ std::string layerLegend(const Row& row, const Light& light)
     std::string items;
     for (std::size_t i = 0; i + 1 < row.splits.size(); ++i)
     {
-        const auto metres = [&](float split) {
+        const auto metres = [&](float split)
+        {
             return fixed(static_cast<double>(light.block.range.x + split * light.metresPerDepth()), 2);
         };
         items += "<span class=\"key\"><i style=\"background:" + cssColour(layerColours()[i]) + "\"></i>" +

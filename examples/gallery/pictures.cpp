@@ -39,7 +39,8 @@ constexpr glm::vec3 rgb(int hex)
 
 glm::vec3 toSrgb(glm::vec3 linear)
 {
-    const auto encode = [](float c) {
+    const auto encode = [](float c)
+    {
         c = std::clamp(c, 0.0f, 1.0f);
         return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
     };
@@ -115,15 +116,17 @@ void writeShaded(const std::string& path, const Picture& picture, const Truth& t
                  const std::vector<glm::vec2>& visibility, bool isSpot)
 {
     const Ambience& ambience = isSpot ? kStudio : kDay;
-    writePng(path, picture, [&](std::size_t i) {
-        const glm::vec4 surface = picture.surface[i];
-        if (surface.w == 0.0f)
-            return toSrgb(ambience.background);
-        const glm::vec3 direct = ambience.light * (truth[i].y * visibility[i].x);
-        const glm::vec3 shaded =
-            glm::vec3(picture.colour[i]) * (ambient(ambience, glm::vec3(picture.normal[i])) + direct);
-        return toSrgb(glm::mix(shaded, ambience.background, haze(surface)));
-    });
+    writePng(path, picture,
+             [&](std::size_t i)
+             {
+                 const glm::vec4 surface = picture.surface[i];
+                 if (surface.w == 0.0f)
+                     return toSrgb(ambience.background);
+                 const glm::vec3 direct = ambience.light * (truth[i].y * visibility[i].x);
+                 const glm::vec3 shaded =
+                     glm::vec3(picture.colour[i]) * (ambient(ambience, glm::vec3(picture.normal[i])) + direct);
+                 return toSrgb(glm::mix(shaded, ambience.background, haze(surface)));
+             });
 }
 
 void writeErrors(const std::string& path, const Picture& picture, const Truth& truth,
@@ -131,28 +134,32 @@ void writeErrors(const std::string& path, const Picture& picture, const Truth& t
 {
     const auto& colours = errorColours();
     constexpr float kSteps = static_cast<float>(std::tuple_size_v<std::decay_t<decltype(colours)>> - 1);
-    writePng(path, picture, [&](std::size_t i) {
-        if (picture.surface[i].w == 0.0f)
-            return colours[2];
-        const bool counts = truth[i].z > 0.0f && truth[i].y > 0.0f;
-        const float error = counts ? visibility[i].x - truth[i].x : 0.0f;
-        const float position = glm::clamp(0.5f + 0.5f * error / kErrorRange, 0.0f, 1.0f) * kSteps;
-        const float step = std::min(std::floor(position), kSteps - 1.0f);
-        const auto index = static_cast<std::size_t>(step);
-        return glm::mix(colours[index], colours[index + 1], position - step) * relief(picture, i);
-    });
+    writePng(path, picture,
+             [&](std::size_t i)
+             {
+                 if (picture.surface[i].w == 0.0f)
+                     return colours[2];
+                 const bool counts = truth[i].z > 0.0f && truth[i].y > 0.0f;
+                 const float error = counts ? visibility[i].x - truth[i].x : 0.0f;
+                 const float position = glm::clamp(0.5f + 0.5f * error / kErrorRange, 0.0f, 1.0f) * kSteps;
+                 const float step = std::min(std::floor(position), kSteps - 1.0f);
+                 const auto index = static_cast<std::size_t>(step);
+                 return glm::mix(colours[index], colours[index + 1], position - step) * relief(picture, i);
+             });
 }
 
 void writeLayers(const std::string& path, const Picture& picture, const Truth& truth,
                  const std::vector<glm::vec2>& visibility)
 {
-    writePng(path, picture, [&](std::size_t i) {
-        const float layer = visibility[i].y;
-        if (picture.surface[i].w == 0.0f || layer < 0.0f)
-            return rgb(0xE4E4E2);
-        const float lit = 0.55f + 0.45f * visibility[i].x * truth[i].y;
-        return layerColours()[static_cast<std::size_t>(layer)] * lit * relief(picture, i);
-    });
+    writePng(path, picture,
+             [&](std::size_t i)
+             {
+                 const float layer = visibility[i].y;
+                 if (picture.surface[i].w == 0.0f || layer < 0.0f)
+                     return rgb(0xE4E4E2);
+                 const float lit = 0.55f + 0.45f * visibility[i].x * truth[i].y;
+                 return layerColours()[static_cast<std::size_t>(layer)] * lit * relief(picture, i);
+             });
 }
 
 } // namespace lvsm::gallery

@@ -13,7 +13,8 @@ constexpr auto kPushStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageF
 
 vk::raii::RenderPass makeRenderPass(const VulkanContext& gpu, const std::vector<vk::Format>& formats)
 {
-    const auto attachment = [](vk::Format format, vk::ImageLayout from, vk::ImageLayout to) {
+    const auto attachment = [](vk::Format format, vk::ImageLayout from, vk::ImageLayout to)
+    {
         return vk::AttachmentDescription({}, format, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eClear,
                                          vk::AttachmentStoreOp::eStore, vk::AttachmentLoadOp::eDontCare,
                                          vk::AttachmentStoreOp::eDontCare, from, to);
@@ -114,7 +115,8 @@ RasterPass::RasterPass(const VulkanContext& gpu, const std::string& fragmentShad
     : m_gpu(gpu), m_formats(std::move(formats)), m_renderPass(makeRenderPass(gpu, m_formats)),
       m_setLayout(makeSetLayout(gpu, usesLight)), m_layout(makeLayout(gpu, m_setLayout)),
       m_pipeline(makePipeline(gpu, fragmentShader, m_formats.size(), m_layout, m_renderPass))
-{}
+{
+}
 
 std::vector<Image> RasterPass::draw(const Buffer& vertices, const View& view, vk::Extent2D extent, float clear,
                                     const Buffer* light) const
@@ -149,18 +151,20 @@ std::vector<Image> RasterPass::draw(const Buffer& vertices, const View& view, vk
 
     const vk::Rect2D area({0, 0}, extent);
     const vk::Viewport viewport(0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1);
-    support::submit(m_gpu, [&](vk::raii::CommandBuffer& commands) {
-        commands.beginRenderPass(vk::RenderPassBeginInfo(*m_renderPass, *framebuffer, area, clears),
-                                 vk::SubpassContents::eInline);
-        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, *sets[0], {});
-        commands.setViewport(0, viewport);
-        commands.setScissor(0, area);
-        commands.pushConstants<View>(*m_layout, kPushStages, 0, view);
-        commands.bindVertexBuffers(0, *vertices.buffer, vk::DeviceSize{0});
-        commands.draw(static_cast<std::uint32_t>(vertices.size / sizeof(Vertex)), 1, 0, 0);
-        commands.endRenderPass();
-    });
+    support::submit(m_gpu,
+                    [&](vk::raii::CommandBuffer& commands)
+                    {
+                        commands.beginRenderPass(vk::RenderPassBeginInfo(*m_renderPass, *framebuffer, area, clears),
+                                                 vk::SubpassContents::eInline);
+                        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
+                        commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, *sets[0], {});
+                        commands.setViewport(0, viewport);
+                        commands.setScissor(0, area);
+                        commands.pushConstants<View>(*m_layout, kPushStages, 0, view);
+                        commands.bindVertexBuffers(0, *vertices.buffer, vk::DeviceSize{0});
+                        commands.draw(static_cast<std::uint32_t>(vertices.size / sizeof(Vertex)), 1, 0, 0);
+                        commands.endRenderPass();
+                    });
     return images;
 }
 

@@ -97,6 +97,33 @@ struct Estimate
     const char* expression;
 };
 
+// Estimates relative to the receiver's plane read the neighbours' first moments of three layers: front, own, behind.
+const char* const kPlaneEstimates = R"(
+vec3 planeCovariances(vec3 right, vec3 left, vec3 up, vec3 down, vec2 gradient)
+{
+    return vec3(lvsm_planeCovariance(vec4(right.x, left.x, up.x, down.x), gradient, deviation),
+                lvsm_planeCovariance(vec4(right.y, left.y, up.y, down.y), gradient, deviation),
+                lvsm_planeCovariance(vec4(right.z, left.z, up.z, down.z), gradient, deviation));
+}
+float planeVisibility(vec4 frontAndOwn, vec2 behind, vec3 covariances, float depth, vec2 gradient, vec2 interval)
+{
+    return lvsm_planeBracketedVisibility(lvsm_expandMoments(frontAndOwn.xy), lvsm_expandMoments(frontAndOwn.zw),
+                                         lvsm_expandMoments(behind), covariances, depth, interval,
+                                         lvsm_planeVariance(gradient, deviation), minVariance, contact);
+}
+// Of two layers, which one texel holds: the receiver's, and what there is on both sides of it.
+vec4 frontAndOwn(vec4 texel, bool isBehind) { return isBehind ? texel : vec4(1.0, 0.0, texel.xy); }
+vec2 behindOwn(vec4 texel, bool isBehind) { return isBehind ? vec2(0.0) : texel.zw; }
+vec3 threeMeans(vec4 texel, bool isBehind) { return isBehind ? vec3(texel.xz, 0.0) : vec3(1.0, texel.xz); }
+vec2 intervalOfTwo(float split, bool isBehind) { return isBehind ? vec2(split, 1.0) : vec2(0.0, split); }
+// Four samples half a texel away from the receiver.
+float tapDepth(float depth, vec2 gradient, int tap)
+{
+    return lvsm_planeDepth(depth, gradient, vec2((tap & 1) == 0 ? -0.5 : 0.5, (tap & 2) == 0 ? -0.5 : 0.5));
+}
+float mean4(float a, float b, float c, float d) { return 0.25 * (a + b + c + d); }
+)";
+
 std::string estimateKernel(int texels, const std::string& statements)
 {
     return R"(#version 450
@@ -118,10 +145,14 @@ const vec2 interval = vec2(0.25, 0.6);
 const float split = 0.4;
 const int order = 4;
 const float bias = 0.001;
+const float deviation = 1.2247449;
+const float contact = 0.15;
 #define texel(i) inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x + 1u + uint(i)]
+)" + kPlaneEstimates + R"(
 void main()
 {
     float depth = inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].x;
+    vec2 gradient = inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].yz;
 )" + statements +
            "}\n";
 }
@@ -157,12 +188,12 @@ std::vector<Kernel> estimateKernels()
     std::vector<Kernel> kernels;
     for (const Estimate& estimate : estimates)
     {
-        std::string loads = "    float sum = depth;\n";
+        const bool sloped = std::string(estimate.expression).find("gradient") != std::string::npos;
+        std::string loads = sloped ? "    float sum = depth + total(gradient);\n" : "    float sum = depth;\n";
         for (int i = 0; i < estimate.texels; ++i)
             loads += "    sum += total(texel(" + std::to_string(i) + "));\n";
         const std::string store = "    outputs[gl_GlobalInvocationID.x] = ";
-        kernels.push_back({estimate.name,
-                           estimateKernel(estimate.texels, store + estimate.expression + ";\n"),
+        kernels.push_back({estimate.name, estimateKernel(estimate.texels, store + estimate.expression + ";\n"),
                            estimateKernel(estimate.texels, loads + store + "sum;\n")});
     }
     return kernels;

@@ -138,8 +138,8 @@ int compareWithRecorded(const json& recorded, const std::vector<Cost>& costs)
             const bool grown = is > was && is > was * kAllowedGrowth;
             failures += grown ? 1 : 0;
             if (is != was)
-                std::printf("%s %s on %s: %d %s, recorded %d\n", grown ? "FAIL" : "note", name.c_str(),
-                            target.c_str(), is, figure, was);
+                std::printf("%s %s on %s: %d %s, recorded %d\n", grown ? "FAIL" : "note", name.c_str(), target.c_str(),
+                            is, figure, was);
         }
         before.erase(found);
     }
@@ -185,8 +185,8 @@ int check(const std::string& version, const std::vector<Cost>& costs, const Opti
     }
     const int failures = compareWithRecorded(recorded, costs);
     if (failures > 0)
-        std::printf("%d failures. If they are meant, run lvsm_cost --record and commit %s with the change.\n",
-                    failures, options.recorded.c_str());
+        std::printf("%d failures. If they are meant, run lvsm_cost --record and commit %s with the change.\n", failures,
+                    options.recorded.c_str());
     return failures > 0 ? 1 : 0;
 }
 

@@ -68,7 +68,8 @@ Radv::Radv(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Radv::Radv(Radv&&) noexcept = default;
 Radv::~Radv() = default;
 
-Result<Radv> Radv::open(const std::string& target) try
+Result<Radv> Radv::open(const std::string& target)
+try
 {
     const std::string driver = findDriver();
     if (driver.empty())
@@ -81,7 +82,8 @@ Result<Radv> Radv::open(const std::string& target) try
     const vk::ApplicationInfo application("lvsm", 1, nullptr, 0, VK_API_VERSION_1_1);
     state->instance = {state->loader, vk::InstanceCreateInfo({}, &application)};
     vk::raii::PhysicalDevices devices(state->instance);
-    const auto isTarget = [&target](const vk::raii::PhysicalDevice& device) {
+    const auto isTarget = [&target](const vk::raii::PhysicalDevice& device)
+    {
         return std::strstr(device.getProperties().deviceName.data(), target.c_str()) != nullptr;
     };
     if (devices.empty() || !isTarget(devices.front()))
@@ -101,11 +103,12 @@ catch (const std::exception& error)
 std::string Radv::version() const
 {
     const std::uint32_t version = m_state->physical.getProperties().driverVersion;
-    return "RADV " + std::to_string(VK_VERSION_MAJOR(version)) + '.' + std::to_string(VK_VERSION_MINOR(version)) +
-           '.' + std::to_string(VK_VERSION_PATCH(version));
+    return "RADV " + std::to_string(VK_VERSION_MAJOR(version)) + '.' + std::to_string(VK_VERSION_MINOR(version)) + '.' +
+           std::to_string(VK_VERSION_PATCH(version));
 }
 
-Result<Statistics> Radv::compile(const std::vector<std::uint32_t>& spirv) const try
+Result<Statistics> Radv::compile(const std::vector<std::uint32_t>& spirv) const
+try
 {
     const vk::raii::ShaderModule shader(m_state->device, vk::ShaderModuleCreateInfo({}, spirv));
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main");

@@ -55,7 +55,8 @@ void momentsFromShare(double* moments)
 // Moments of the two warps of two depths, mixed as a filter mixes them.
 void exponentialMomentsOfTwo(double* words)
 {
-    const auto warp = [words](double depth, int which) {
+    const auto warp = [words](double depth, int which)
+    {
         const double c = std::clamp(words[1 + which], 0.0, 43.3216);
         return which == 0 ? std::exp(c * (2.0 * depth - 1.0)) : -std::exp(-c * (2.0 * depth - 1.0));
     };
@@ -128,8 +129,7 @@ void bracketedMoments4(double* words)
     window.moments(words[1], words[2], true, 4, words + 8);
     window.moments(words[2], 1.0, true, 4, words + 12);
     window.moments(0.0, 1.0, true, 4, words + 16);
-    const glm::dvec4 encoded =
-        lvsm::encodeMoments4(glm::dvec4(words[16], words[17], words[18], words[19]));
+    const glm::dvec4 encoded = lvsm::encodeMoments4(glm::dvec4(words[16], words[17], words[18], words[19]));
     for (int i = 0; i < 4; ++i)
         words[20 + i] = encoded[i];
 }
@@ -142,6 +142,7 @@ void sortSplits(double* words)
     words[count] = 1.0;
 }
 
+// clang-format off
 const std::map<std::string, Domain>& allDomains()
 {
     static const std::map<std::string, Domain> all = {
@@ -324,6 +325,7 @@ const std::map<std::string, Domain>& allDomains()
     };
     return all;
 }
+// clang-format on
 
 } // namespace
 

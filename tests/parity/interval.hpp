@@ -281,7 +281,8 @@ inline Interval log(Interval x)
 {
     if (x.lo() < lvsm::kTiny<double>)
         return Interval::anything();
-    const auto error = [](double at) {
+    const auto error = [](double at)
+    {
         const double nearOne = at >= 0.5 && at <= 2.0 ? std::ldexp(1.0, -21) : 0.0;
         return std::max(nearOne, 3.0 * Interval::unitInLastPlace(std::log(at)));
     };

@@ -36,14 +36,16 @@ void Judge::allow(const Words& words)
     const Result<double> expected = m_row.inDouble(words);
     Result<double> lo = expected;
     Result<double> hi = expected;
-    const bool followed = enumerateOutcomes(kOutcomeLimit, [&] {
-        const Result<Interval> result = m_row.inInterval(words);
-        for (std::size_t c = 0; c < result.size(); ++c)
-        {
-            lo[c] = std::min(lo[c], result[c].lo());
-            hi[c] = std::max(hi[c], result[c].hi());
-        }
-    });
+    const bool followed = enumerateOutcomes(kOutcomeLimit,
+                                            [&]
+                                            {
+                                                const Result<Interval> result = m_row.inInterval(words);
+                                                for (std::size_t c = 0; c < result.size(); ++c)
+                                                {
+                                                    lo[c] = std::min(lo[c], result[c].lo());
+                                                    hi[c] = std::max(hi[c], result[c].hi());
+                                                }
+                                            });
     m_undecided += followed ? 0 : 1;
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_components); ++c)
     {
@@ -87,8 +89,8 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
                 const Allowed& allowed = m_allowed[i * components + c];
                 accepted = accepted && isWithin(answer, allowed);
                 const double error = std::abs(answer - allowed.expected);
-                const double tolerance = answer < allowed.expected ? allowed.expected - allowed.lo
-                                                                   : allowed.hi - allowed.expected;
+                const double tolerance =
+                    answer < allowed.expected ? allowed.expected - allowed.lo : allowed.hi - allowed.expected;
                 tight += allowed.hi - allowed.lo <= 1.0e-3 * std::max(1.0, std::abs(allowed.expected)) ? 1 : 0;
                 tolerances.push_back(std::min(tolerance, m_row.high - m_row.low));
                 const double badness = accepted ? error : HUGE_VAL;

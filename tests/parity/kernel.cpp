@@ -91,8 +91,8 @@ const char* const kCommonMacros = R"(
 
 std::string glslKernel(const Row& row, const std::string& library, bool allowInclude)
 {
-    const std::string head = allowInclude ? "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
-                                          : "#version 450\n";
+    const std::string head =
+        allowInclude ? "#version 450\n#extension GL_GOOGLE_include_directive : require\n" : "#version 450\n";
     return head + library + constants() + kCommonMacros + kGlslInterface + kBody + callStatement(row) + "}\n";
 }
 

@@ -160,8 +160,8 @@ bool print(const Row& row, const Judge& judge, const Run& run)
                     row.function.c_str(), run.compiler.c_str(), run.source.c_str(), run.device.c_str(),
                     verdict.domain.c_str(), verdict.inputs);
         if (verdict.domain != "hostile")
-            std::printf("worst error %.3g of %.3g allowed (median allowed %.3g, %.0f%% tight); ",
-                        verdict.worstError, verdict.tolerance, verdict.medianTolerance, 100.0 * verdict.tightShare);
+            std::printf("worst error %.3g of %.3g allowed (median allowed %.3g, %.0f%% tight); ", verdict.worstError,
+                        verdict.tolerance, verdict.medianTolerance, 100.0 * verdict.tightShare);
         std::printf("%zu not finite, %zu outside", verdict.nonFinite, verdict.outside);
         if (verdict.domain != "hostile" || !verdict.passed())
             std::printf("; expected %.9g, got %.9g for (%s)", verdict.expected, verdict.answered,
@@ -214,8 +214,7 @@ std::vector<Run> runShaders(const Row& row, const Judge& judge, const Options& o
         if (shaders.empty())
             shaders = compileAll(row, options);
         for (const Shader& shader : shaders)
-            runs.push_back(
-                {shader.compiler, shader.source, name, judge.judge(runOnDevice(*device, judge, shader))});
+            runs.push_back({shader.compiler, shader.source, name, judge.judge(runOnDevice(*device, judge, shader))});
         silent = silent && device->validationMessages().empty();
     }
     return runs;

@@ -3,89 +3,108 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
 /// A triangle on the map, with the plane that its depths lie on.
-class Projected {
- public:
-  Projected(const Triangle& triangle, const Light& light) : light_(light), twoSided_(triangle.twoSided) {
-    for (int i = 0; i < 3; ++i) points_[i] = light.texel(triangle.corners[i]);
-    corner_ = triangle.corners[0];
-    normal_ = glm::cross(glm::dvec3(triangle.corners[1]) - corner_, glm::dvec3(triangle.corners[2]) - corner_);
-    const double area = glm::length(normal_);
-    empty_ = !(area > 0.0);
-    if (!empty_) normal_ /= area;
-    orientation_ = cross(points_[0], points_[1], points_[2]) < 0.0 ? -1.0 : 1.0;
-  }
-
-  bool empty() const { return empty_; }
-  glm::dvec2 low() const { return glm::min(points_[0], glm::min(points_[1], points_[2])); }
-  glm::dvec2 high() const { return glm::max(points_[0], glm::max(points_[1], points_[2])); }
-
-  /// Of two triangles that share an edge, one covers each point on it.
-  bool covers(glm::dvec2 p) const {
-    for (int i = 0; i < 3; ++i) {
-      const glm::dvec2 a = points_[i];
-      const glm::dvec2 b = points_[(i + 1) % 3];
-      const bool swapped = a.x > b.x || (a.x == b.x && a.y > b.y);  // the same arithmetic from both sides of the edge
-      const double side = orientation_ * (swapped ? -cross(b, a, p) : cross(a, b, p));
-      const bool owned = swapped == (orientation_ > 0.0);
-      if (side < 0.0 || (side == 0.0 && !owned)) return false;
+class Projected
+{
+public:
+    Projected(const Triangle& triangle, const Light& light) : light_(light), twoSided_(triangle.twoSided)
+    {
+        for (int i = 0; i < 3; ++i)
+            points_[i] = light.texel(triangle.corners[i]);
+        corner_ = triangle.corners[0];
+        normal_ = glm::cross(glm::dvec3(triangle.corners[1]) - corner_, glm::dvec3(triangle.corners[2]) - corner_);
+        const double area = glm::length(normal_);
+        empty_ = !(area > 0.0);
+        if (!empty_)
+            normal_ /= area;
+        orientation_ = cross(points_[0], points_[1], points_[2]) < 0.0 ? -1.0 : 1.0;
     }
-    return true;
-  }
 
-  /// The surface at the centre of a texel.
-  Surface at(int x, int y) const {
-    const double cx = x + 0.5;
-    const double cy = y + 0.5;
-    const Light::Ray ray = light_.ray(cx, cy);
-    const double cosine = -glm::dot(normal_, glm::normalize(ray.direction));
-    const glm::dvec2 gradient(depth(cx + 0.5, cy) - depth(cx - 0.5, cy), depth(cx, cy + 0.5) - depth(cx, cy - 0.5));
-    return {static_cast<float>(depth(cx, cy)), glm::clamp(glm::vec2(gradient), -1.0f, 1.0f),
-            static_cast<float>(twoSided_ ? std::abs(cosine) : cosine)};
-  }
+    bool empty() const { return empty_; }
+    glm::dvec2 low() const { return glm::min(points_[0], glm::min(points_[1], points_[2])); }
+    glm::dvec2 high() const { return glm::max(points_[0], glm::max(points_[1], points_[2])); }
 
- private:
-  static double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) {
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-  }
+    /// Of two triangles that share an edge, one covers each point on it.
+    bool covers(glm::dvec2 p) const
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            const glm::dvec2 a = points_[i];
+            const glm::dvec2 b = points_[(i + 1) % 3];
+            const bool swapped =
+                a.x > b.x || (a.x == b.x && a.y > b.y); // the same arithmetic from both sides of the edge
+            const double side = orientation_ * (swapped ? -cross(b, a, p) : cross(a, b, p));
+            const bool owned = swapped == (orientation_ > 0.0);
+            if (side < 0.0 || (side == 0.0 && !owned))
+                return false;
+        }
+        return true;
+    }
 
-  /// Depth of the triangle's plane, which goes on beyond its edges.
-  double depth(double x, double y) const {
-    const Light::Ray ray = light_.ray(x, y);
-    const double slope = glm::dot(normal_, ray.direction);
-    const double least = 1e-9 * glm::length(ray.direction);
-    const double along = glm::dot(normal_, corner_ - ray.origin) / (std::abs(slope) < least ? least : slope);
-    return light_.depth(ray.origin + along * ray.direction);
-  }
+    /// The surface at the centre of a texel.
+    Surface at(int x, int y) const
+    {
+        const double cx = x + 0.5;
+        const double cy = y + 0.5;
+        const Light::Ray ray = light_.ray(cx, cy);
+        const double cosine = -glm::dot(normal_, glm::normalize(ray.direction));
+        const glm::dvec2 gradient(depth(cx + 0.5, cy) - depth(cx - 0.5, cy), depth(cx, cy + 0.5) - depth(cx, cy - 0.5));
+        return {static_cast<float>(depth(cx, cy)), glm::clamp(glm::vec2(gradient), -1.0f, 1.0f),
+                static_cast<float>(twoSided_ ? std::abs(cosine) : cosine)};
+    }
 
-  const Light& light_;
-  bool twoSided_;
-  bool empty_;
-  glm::dvec2 points_[3];
-  glm::dvec3 corner_;
-  glm::dvec3 normal_;
-  double orientation_;
+private:
+    static double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p)
+    {
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    }
+
+    /// Depth of the triangle's plane, which goes on beyond its edges.
+    double depth(double x, double y) const
+    {
+        const Light::Ray ray = light_.ray(x, y);
+        const double slope = glm::dot(normal_, ray.direction);
+        const double least = 1e-9 * glm::length(ray.direction);
+        const double along = glm::dot(normal_, corner_ - ray.origin) / (std::abs(slope) < least ? least : slope);
+        return light_.depth(ray.origin + along * ray.direction);
+    }
+
+    const Light& light_;
+    bool twoSided_;
+    bool empty_;
+    glm::dvec2 points_[3];
+    glm::dvec3 corner_;
+    glm::dvec3 normal_;
+    double orientation_;
 };
 
-}  // namespace
+} // namespace
 
-Peel depthPeel(const Mesh& mesh, const Light& light, int size) {
-  std::vector<std::vector<Surface>> texels(texelIndex(0, size, size));
-  for (const Triangle& triangle : mesh) {
-    const Projected projected(triangle, light);
-    if (projected.empty()) continue;
-    const glm::ivec2 low = glm::max(glm::ivec2(glm::ceil(projected.low() - 0.5)), 0);
-    const glm::ivec2 high = glm::min(glm::ivec2(glm::floor(projected.high() - 0.5)), size - 1);
-    for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) {
-        if (projected.covers({x + 0.5, y + 0.5})) texels[texelIndex(x, y, size)].push_back(projected.at(x, y));
-      }
+Peel depthPeel(const Mesh& mesh, const Light& light, int size)
+{
+    std::vector<std::vector<Surface>> texels(texelIndex(0, size, size));
+    for (const Triangle& triangle : mesh)
+    {
+        const Projected projected(triangle, light);
+        if (projected.empty())
+            continue;
+        const glm::ivec2 low = glm::max(glm::ivec2(glm::ceil(projected.low() - 0.5)), 0);
+        const glm::ivec2 high = glm::min(glm::ivec2(glm::floor(projected.high() - 0.5)), size - 1);
+        for (int y = low.y; y <= high.y; ++y)
+        {
+            for (int x = low.x; x <= high.x; ++x)
+            {
+                if (projected.covers({x + 0.5, y + 0.5}))
+                    texels[texelIndex(x, y, size)].push_back(projected.at(x, y));
+            }
+        }
     }
-  }
-  return Peel(size, std::move(texels));
+    return Peel(size, std::move(texels));
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

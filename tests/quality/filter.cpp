@@ -5,50 +5,63 @@
 
 #include <lvsm/filter.hpp>
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
-void pass(const Image& from, Image& to, const std::vector<float>& kernel, int stepX, int stepY, Format format) {
-  const int radius = static_cast<int>(kernel.size()) / 2;
-  const int last = from.size() - 1;
-  std::vector<float> sum(static_cast<std::size_t>(from.channels()));
-  for (int y = 0; y <= last; ++y) {
-    for (int x = 0; x <= last; ++x) {
-      std::fill(sum.begin(), sum.end(), 0.0f);
-      for (int k = -radius; k <= radius; ++k) {
-        const float* tap = from.texel(std::clamp(x + k * stepX, 0, last), std::clamp(y + k * stepY, 0, last));
-        const float weight = kernel[static_cast<std::size_t>(k + radius)];
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * tap[c];
-      }
-      float* out = to.texel(x, y);
-      for (std::size_t c = 0; c < sum.size(); ++c) out[c] = stored(sum[c], format);
+void pass(const Image& from, Image& to, const std::vector<float>& kernel, int stepX, int stepY, Format format)
+{
+    const int radius = static_cast<int>(kernel.size()) / 2;
+    const int last = from.size() - 1;
+    std::vector<float> sum(static_cast<std::size_t>(from.channels()));
+    for (int y = 0; y <= last; ++y)
+    {
+        for (int x = 0; x <= last; ++x)
+        {
+            std::fill(sum.begin(), sum.end(), 0.0f);
+            for (int k = -radius; k <= radius; ++k)
+            {
+                const float* tap = from.texel(std::clamp(x + k * stepX, 0, last), std::clamp(y + k * stepY, 0, last));
+                const float weight = kernel[static_cast<std::size_t>(k + radius)];
+                for (std::size_t c = 0; c < sum.size(); ++c)
+                    sum[c] += weight * tap[c];
+            }
+            float* out = to.texel(x, y);
+            for (std::size_t c = 0; c < sum.size(); ++c)
+                out[c] = stored(sum[c], format);
+        }
     }
-  }
 }
 
-}  // namespace
+} // namespace
 
-std::vector<double> binomialKernel(int width) {
-  std::vector<double> kernel;
-  for (int i = 0; i < width; ++i) kernel.push_back(binomialWeight<double>(i, width));
-  return kernel;
+std::vector<double> binomialKernel(int width)
+{
+    std::vector<double> kernel;
+    for (int i = 0; i < width; ++i)
+        kernel.push_back(binomialWeight<double>(i, width));
+    return kernel;
 }
 
-double deviationOf(const std::vector<double>& kernel) {
-  const double centre = 0.5 * static_cast<double>(kernel.size() - 1);
-  double variance = 0.0;
-  for (std::size_t i = 0; i < kernel.size(); ++i) {
-    const double offset = static_cast<double>(i) - centre;
-    variance += kernel[i] * offset * offset;
-  }
-  return std::sqrt(variance);
+double deviationOf(const std::vector<double>& kernel)
+{
+    const double centre = 0.5 * static_cast<double>(kernel.size() - 1);
+    double variance = 0.0;
+    for (std::size_t i = 0; i < kernel.size(); ++i)
+    {
+        const double offset = static_cast<double>(i) - centre;
+        variance += kernel[i] * offset * offset;
+    }
+    return std::sqrt(variance);
 }
 
-void blur(Image& image, const std::vector<double>& kernel, Format format) {
-  const std::vector<float> weights(kernel.begin(), kernel.end());
-  Image between(image.size(), image.channels());
-  pass(image, between, weights, 1, 0, format);
-  pass(between, image, weights, 0, 1, format);
+void blur(Image& image, const std::vector<double>& kernel, Format format)
+{
+    const std::vector<float> weights(kernel.begin(), kernel.end());
+    Image between(image.size(), image.channels());
+    pass(image, between, weights, 1, 0, format);
+    pass(between, image, weights, 0, 1, format);
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

@@ -6,7 +6,8 @@
 #include "formats.hpp"
 #include "image.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// Binomial weights of an odd width, in double, which sum to 1.
 std::vector<double> binomialKernel(int width);
@@ -17,6 +18,6 @@ double deviationOf(const std::vector<double>& kernel);
 /// Separable filter; both passes store what they make. At the border the last texel repeats.
 void blur(Image& image, const std::vector<double>& kernel, Format format);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

@@ -5,28 +5,39 @@
 
 #include "techniques.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
-enum class Placement { Uniform, Optimal };
-
-constexpr const char* nameOf(Placement placement) { return placement == Placement::Uniform ? "uniform" : "optimal"; }
-
-/// The splits of a technique in one scene; its layers do not overlap.
-class Splits {
- public:
-  Splits(const Map& map, int count, Placement placement);
-
-  int count() const { return static_cast<int>(values_.size()) - 1; }
-  int layerOf(float depth) const { return layerIndex(depth, values_.data(), count()); }
-  glm::vec2 interval(int layer) const {
-    return layerInterval(values_[static_cast<std::size_t>(layer)], values_[static_cast<std::size_t>(layer) + 1], 0.0f);
-  }
-  float length(int layer) const { return interval(layer).y - interval(layer).x; }
-
- private:
-  std::vector<float> values_;
+enum class Placement
+{
+    Uniform,
+    Optimal
 };
 
-}  // namespace lvsm::quality
+constexpr const char* nameOf(Placement placement)
+{
+    return placement == Placement::Uniform ? "uniform" : "optimal";
+}
+
+/// The splits of a technique in one scene; its layers do not overlap.
+class Splits
+{
+public:
+    Splits(const Map& map, int count, Placement placement);
+
+    int count() const { return static_cast<int>(values_.size()) - 1; }
+    int layerOf(float depth) const { return layerIndex(depth, values_.data(), count()); }
+    glm::vec2 interval(int layer) const
+    {
+        return layerInterval(values_[static_cast<std::size_t>(layer)], values_[static_cast<std::size_t>(layer) + 1],
+                             0.0f);
+    }
+    float length(int layer) const { return interval(layer).y - interval(layer).x; }
+
+private:
+    std::vector<float> values_;
+};
+
+} // namespace lvsm::quality
 
 #endif

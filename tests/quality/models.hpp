@@ -8,18 +8,21 @@
 #include "depth_peel.hpp"
 #include "result.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// Numbers that are the same everywhere: the C++ standard leaves its distributions open.
-class Random {
- public:
-  explicit Random(unsigned seed) : generator_(seed) {}
-  float uniform(float low, float high) {
-    return low + (high - low) * (static_cast<float>(generator_() >> 8) * 0x1p-24f);
-  }
+class Random
+{
+public:
+    explicit Random(unsigned seed) : generator_(seed) {}
+    float uniform(float low, float high)
+    {
+        return low + (high - low) * (static_cast<float>(generator_() >> 8) * 0x1p-24f);
+    }
 
- private:
-  std::mt19937 generator_;
+private:
+    std::mt19937 generator_;
 };
 
 /// Reads a model and stands it on the ground at the origin, of height 1 or width 10; y is up. Its faces are turned
@@ -43,6 +46,6 @@ float hillHeight(glm::vec2 point, float halfWidth, float height);
 /// A trunk, boughs and a crown of flat two-sided leaves.
 void addTree(Mesh& mesh, glm::vec3 foot, float height, Random& random);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

@@ -9,42 +9,46 @@
 
 #include "image.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// A surface that the light's ray through a texel meets.
-struct Surface {
-  float depth;
-  glm::vec2 gradient;  ///< change of depth from one texel to the next, in x and in y
-  float facing;        ///< n.l; nothing to light where it is 0 or less
+struct Surface
+{
+    float depth;
+    glm::vec2 gradient; ///< change of depth from one texel to the next, in x and in y
+    float facing;       ///< n.l; nothing to light where it is 0 or less
 };
 
 /// Every surface along every ray of a light: what a shadow map sees, and all that it shades.
-class Peel {
- public:
-  /// Surfaces of each texel, row by row, in any order; sorted here, nearest first.
-  Peel(int size, std::vector<std::vector<Surface>> texels);
+class Peel
+{
+public:
+    /// Surfaces of each texel, row by row, in any order; sorted here, nearest first.
+    Peel(int size, std::vector<std::vector<Surface>> texels);
 
-  int size() const { return size_; }
-  const Surface* begin(int x, int y) const { return surfaces_.data() + first_[texelIndex(x, y, size_)]; }
-  const Surface* end(int x, int y) const { return surfaces_.data() + first_[texelIndex(x, y, size_) + 1]; }
+    int size() const { return size_; }
+    const Surface* begin(int x, int y) const { return surfaces_.data() + first_[texelIndex(x, y, size_)]; }
+    const Surface* end(int x, int y) const { return surfaces_.data() + first_[texelIndex(x, y, size_) + 1]; }
 
-  /// What the shadow map holds: the nearest surface, or depth 1.
-  Surface nearest(int x, int y) const { return begin(x, y) == end(x, y) ? kNothing : *begin(x, y); }
+    /// What the shadow map holds: the nearest surface, or depth 1.
+    Surface nearest(int x, int y) const { return begin(x, y) == end(x, y) ? kNothing : *begin(x, y); }
 
-  static constexpr Surface kNothing{1.0f, {0.0f, 0.0f}, 0.0f};
+    static constexpr Surface kNothing{1.0f, {0.0f, 0.0f}, 0.0f};
 
- private:
-  int size_;
-  std::vector<std::size_t> first_;
-  std::vector<Surface> surfaces_;
+private:
+    int size_;
+    std::vector<std::size_t> first_;
+    std::vector<Surface> surfaces_;
 };
 
-struct Scene {
-  std::string name;
-  Peel peel;
-  bool mesh;  ///< a depth peel of meshes, as against a world of flat layers
+struct Scene
+{
+    std::string name;
+    Peel peel;
+    bool mesh; ///< a depth peel of meshes, as against a world of flat layers
 };
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

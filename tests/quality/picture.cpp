@@ -6,60 +6,73 @@
 
 #include <stb_image_write.h>
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
 using Colour = glm::vec3;
 
 constexpr float kFullColour = 0.5f;
 
 // The ends and the middle of ColorBrewer's PuOr, which the colour-blind can tell apart.
-Colour diverging(float error) {
-  const Colour middle(0.97f);
-  const Colour light(0.70f, 0.35f, 0.02f);
-  const Colour dark(0.18f, 0.10f, 0.55f);
-  const float amount = std::min(std::abs(error) / kFullColour, 1.0f);
-  return glm::mix(middle, error > 0.0f ? light : dark, std::sqrt(amount));
+Colour diverging(float error)
+{
+    const Colour middle(0.97f);
+    const Colour light(0.70f, 0.35f, 0.02f);
+    const Colour dark(0.18f, 0.10f, 0.55f);
+    const float amount = std::min(std::abs(error) / kFullColour, 1.0f);
+    return glm::mix(middle, error > 0.0f ? light : dark, std::sqrt(amount));
 }
 
-void put(std::vector<std::uint8_t>& pixels, std::size_t index, Colour colour) {
-  for (int c = 0; c < 3; ++c) {
-    pixels[3 * index + static_cast<std::size_t>(c)] =
-        static_cast<std::uint8_t>(255.0f * glm::clamp(colour[c], 0.0f, 1.0f) + 0.5f);
-  }
+void put(std::vector<std::uint8_t>& pixels, std::size_t index, Colour colour)
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        pixels[3 * index + static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(255.0f * glm::clamp(colour[c], 0.0f, 1.0f) + 0.5f);
+    }
 }
 
-}  // namespace
+} // namespace
 
 std::optional<std::string> writePicture(const Judge& judge, const Setting& setting, const Scene& scene,
-                                        const std::vector<Receiver>& receivers, const std::string& path) {
-  const int size = scene.peel.size();
-  std::vector<float> worst(texelIndex(0, size, size));
-  std::vector<float> shade(texelIndex(0, size, size));
-  for (const Receiver& r : receivers) {
-    const float error = judge.estimate(r, setting) - r.visibility;
-    float& kept = worst[texelIndex(r.x, r.y, size)];
-    if (std::abs(error) > std::abs(kept)) kept = error;
-    if (r.surface.depth <= scene.peel.nearest(r.x, r.y).depth) {
-      shade[texelIndex(r.x, r.y, size)] = (0.1f + 0.9f * r.visibility) * r.surface.facing;
+                                        const std::vector<Receiver>& receivers, const std::string& path)
+{
+    const int size = scene.peel.size();
+    std::vector<float> worst(texelIndex(0, size, size));
+    std::vector<float> shade(texelIndex(0, size, size));
+    for (const Receiver& r : receivers)
+    {
+        const float error = judge.estimate(r, setting) - r.visibility;
+        float& kept = worst[texelIndex(r.x, r.y, size)];
+        if (std::abs(error) > std::abs(kept))
+            kept = error;
+        if (r.surface.depth <= scene.peel.nearest(r.x, r.y).depth)
+        {
+            shade[texelIndex(r.x, r.y, size)] = (0.1f + 0.9f * r.visibility) * r.surface.facing;
+        }
     }
-  }
 
-  std::vector<std::uint8_t> pixels(3 * texelIndex(0, size, 2 * size));
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) {
-      const int row = size - 1 - y;
-      put(pixels, texelIndex(x, row, 2 * size), Colour(std::sqrt(shade[texelIndex(x, y, size)])));
-      put(pixels, texelIndex(size + x, row, 2 * size), diverging(worst[texelIndex(x, y, size)]));
+    std::vector<std::uint8_t> pixels(3 * texelIndex(0, size, 2 * size));
+    for (int y = 0; y < size; ++y)
+    {
+        for (int x = 0; x < size; ++x)
+        {
+            const int row = size - 1 - y;
+            put(pixels, texelIndex(x, row, 2 * size), Colour(std::sqrt(shade[texelIndex(x, y, size)])));
+            put(pixels, texelIndex(size + x, row, 2 * size), diverging(worst[texelIndex(x, y, size)]));
+        }
     }
-  }
-  std::error_code error;
-  const std::filesystem::path target(path);
-  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), error);
-  if (stbi_write_png(path.c_str(), 2 * size, size, 3, pixels.data(), 3 * 2 * size) == 0) {
-    return "cannot write '" + path + "'";
-  }
-  return std::nullopt;
+    std::error_code error;
+    const std::filesystem::path target(path);
+    if (target.has_parent_path())
+        std::filesystem::create_directories(target.parent_path(), error);
+    if (stbi_write_png(path.c_str(), 2 * size, size, 3, pixels.data(), 3 * 2 * size) == 0)
+    {
+        return "cannot write '" + path + "'";
+    }
+    return std::nullopt;
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

@@ -7,7 +7,8 @@
 
 #include "measure.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// Writes a PNG, seen from the light. Left: the exact visibility of the nearest surfaces times n.l. Right: the largest
 /// error of each texel's receivers, orange where too light, blue where too dark, full colour from 0.5 on.
@@ -15,6 +16,6 @@ namespace lvsm::quality {
 std::optional<std::string> writePicture(const Judge& judge, const Setting& setting, const Scene& scene,
                                         const std::vector<Receiver>& receivers, const std::string& path);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

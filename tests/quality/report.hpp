@@ -8,14 +8,16 @@
 
 #include "measure.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// What was measured, and with what.
-struct Run {
-  unsigned seed;
-  int size;
-  int kernel;
-  std::vector<Measurement> measurements;
+struct Run
+{
+    unsigned seed;
+    int size;
+    int kernel;
+    std::vector<Measurement> measurements;
 };
 
 /// Tables in Markdown: every technique by bits, ours beside the best peer, and the limits.
@@ -24,6 +26,6 @@ void printTables(const Run& run, std::ostream& out);
 /// Writes the rows as JSON, all or nothing; the reason if that fails.
 std::optional<std::string> writeJson(const Run& run, const std::string& path);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

@@ -6,7 +6,8 @@
 
 #include "peel.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// Names of the layered scenes.
 const std::vector<std::string>& layeredSceneNames();
@@ -14,6 +15,6 @@ const std::vector<std::string>& layeredSceneNames();
 /// One of them. The draws are those of std::mt19937 with libstdc++'s uniform_real_distribution<float>.
 Scene layeredScene(const std::string& name, int size, unsigned seed);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

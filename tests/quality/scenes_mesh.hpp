@@ -8,7 +8,8 @@
 #include "models.hpp"
 #include "peel.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// Names of the worlds: each is seen from every light of lightNames, as the scene WORLD-LIGHT.
 const std::vector<std::string>& worldNames();
@@ -22,6 +23,6 @@ support::Result<Mesh> modelWorld(const std::string& path);
 
 Scene meshScene(const std::string& worldName, const Mesh& mesh, const std::string& lightName, int size);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

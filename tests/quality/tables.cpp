@@ -7,141 +7,182 @@
 
 #include "report.hpp"
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Columns of a table: the layered scenes, each world of meshes averaged over its lights, and the mean of all lights.
-class Columns {
- public:
-  explicit Columns(const std::vector<Measurement>& measurements) {
-    for (const Measurement& m : measurements) {
-      const std::string name = columnOf(m);
-      if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
-      mesh_ = mesh_ || m.mesh;
+class Columns
+{
+public:
+    explicit Columns(const std::vector<Measurement>& measurements)
+    {
+        for (const Measurement& m : measurements)
+        {
+            const std::string name = columnOf(m);
+            if (std::find(names_.begin(), names_.end(), name) == names_.end())
+                names_.push_back(name);
+            mesh_ = mesh_ || m.mesh;
+        }
+        if (mesh_)
+            names_.push_back(kMean);
     }
-    if (mesh_) names_.push_back(kMean);
-  }
 
-  const std::vector<std::string>& names() const { return names_; }
+    const std::vector<std::string>& names() const { return names_; }
 
-  using Row = std::map<std::string, double>;
+    using Row = std::map<std::string, double>;
 
-  Row row(const std::vector<const Measurement*>& measurements) const {
-    std::map<std::string, std::pair<double, int>> sums;
-    const auto add = [&](const std::string& name, double error) {
-      sums[name].first += error;
-      ++sums[name].second;
-    };
-    for (const Measurement* m : measurements) {
-      add(columnOf(*m), m->all.rmse);
-      if (m->mesh) add(kMean, m->all.rmse);
+    Row row(const std::vector<const Measurement*>& measurements) const
+    {
+        std::map<std::string, std::pair<double, int>> sums;
+        const auto add = [&](const std::string& name, double error)
+        {
+            sums[name].first += error;
+            ++sums[name].second;
+        };
+        for (const Measurement* m : measurements)
+        {
+            add(columnOf(*m), m->all.rmse);
+            if (m->mesh)
+                add(kMean, m->all.rmse);
+        }
+        Row row;
+        for (const auto& [name, sum] : sums)
+            row[name] = sum.first / sum.second;
+        return row;
     }
-    Row row;
-    for (const auto& [name, sum] : sums) row[name] = sum.first / sum.second;
-    return row;
-  }
 
-  /// What techniques are ordered by: the meshes, or the only scenes there are.
-  double rank(const Row& row) const {
-    if (mesh_) return row.at(kMean);
-    double sum = 0.0;
-    for (const auto& [name, value] : row) sum += value;
-    return sum;
-  }
+    /// What techniques are ordered by: the meshes, or the only scenes there are.
+    double rank(const Row& row) const
+    {
+        if (mesh_)
+            return row.at(kMean);
+        double sum = 0.0;
+        for (const auto& [name, value] : row)
+            sum += value;
+        return sum;
+    }
 
- private:
-  static std::string columnOf(const Measurement& m) { return m.mesh ? m.scene.substr(0, m.scene.find('-')) : m.scene; }
+private:
+    static std::string columnOf(const Measurement& m)
+    {
+        return m.mesh ? m.scene.substr(0, m.scene.find('-')) : m.scene;
+    }
 
-  static constexpr const char* kMean = "mesh mean";
-  std::vector<std::string> names_;
-  bool mesh_ = false;
+    static constexpr const char* kMean = "mesh mean";
+    std::vector<std::string> names_;
+    bool mesh_ = false;
 };
 
-struct Line {
-  const Measurement* technique;
-  Columns::Row row;
+struct Line
+{
+    const Measurement* technique;
+    Columns::Row row;
 };
 
-void printHeader(const Columns& columns, const std::string& first, std::ostream& out) {
-  out << "\n| " << first << " |";
-  for (const std::string& name : columns.names()) out << ' ' << name << " |";
-  out << "\n|---|";
-  for (std::size_t i = 0; i < columns.names().size(); ++i) out << "---|";
-  out << '\n';
+void printHeader(const Columns& columns, const std::string& first, std::ostream& out)
+{
+    out << "\n| " << first << " |";
+    for (const std::string& name : columns.names())
+        out << ' ' << name << " |";
+    out << "\n|---|";
+    for (std::size_t i = 0; i < columns.names().size(); ++i)
+        out << "---|";
+    out << '\n';
 }
 
-void printLine(const Columns& columns, const std::string& name, const Columns::Row& row, int digits,
-               std::ostream& out) {
-  out << "| " << name << " |";
-  for (const std::string& column : columns.names()) {
-    const auto at = row.find(column);
-    out << ' ' << std::fixed << std::setprecision(digits) << (at == row.end() ? kUnknown : at->second) << " |";
-  }
-  out << '\n';
+void printLine(const Columns& columns, const std::string& name, const Columns::Row& row, int digits, std::ostream& out)
+{
+    out << "| " << name << " |";
+    for (const std::string& column : columns.names())
+    {
+        const auto at = row.find(column);
+        out << ' ' << std::fixed << std::setprecision(digits) << (at == row.end() ? kUnknown : at->second) << " |";
+    }
+    out << '\n';
 }
 
-Columns::Row ratio(const Columns::Row& ours, const Columns::Row& peer) {
-  Columns::Row result;
-  for (const auto& [name, value] : ours) {
-    const auto at = peer.find(name);
-    if (at != peer.end()) result[name] = value / std::max(at->second, 1e-9);
-  }
-  return result;
+Columns::Row ratio(const Columns::Row& ours, const Columns::Row& peer)
+{
+    Columns::Row result;
+    for (const auto& [name, value] : ours)
+    {
+        const auto at = peer.find(name);
+        if (at != peer.end())
+            result[name] = value / std::max(at->second, 1e-9);
+    }
+    return result;
 }
 
 /// The best of ours at some bits, and the best peer at those or fewer.
-struct Best {
-  const Line* ours = nullptr;
-  const Line* peer = nullptr;
+struct Best
+{
+    const Line* ours = nullptr;
+    const Line* peer = nullptr;
 
-  void consider(const Line& line, const Columns& columns) {
-    const Line*& best = line.technique->peer ? peer : ours;
-    if (best == nullptr || columns.rank(line.row) < columns.rank(best->row)) best = &line;
-  }
+    void consider(const Line& line, const Columns& columns)
+    {
+        const Line*& best = line.technique->peer ? peer : ours;
+        if (best == nullptr || columns.rank(line.row) < columns.rank(best->row))
+            best = &line;
+    }
 
-  void print(const std::string& what, const Columns& columns, std::ostream& out) const {
-    if (ours == nullptr || peer == nullptr) return;
-    const std::string pair = ours->technique->technique + " / " + peer->technique->technique;
-    printLine(columns, "**" + what + pair + "**", ratio(ours->row, peer->row), 2, out);
-  }
+    void print(const std::string& what, const Columns& columns, std::ostream& out) const
+    {
+        if (ours == nullptr || peer == nullptr)
+            return;
+        const std::string pair = ours->technique->technique + " / " + peer->technique->technique;
+        printLine(columns, "**" + what + pair + "**", ratio(ours->row, peer->row), 2, out);
+    }
 };
 
-}  // namespace
+} // namespace
 
-void printTables(const Run& run, std::ostream& out) {
-  const Columns columns(run.measurements);
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<const Measurement*>> byTechnique;
-  for (const Measurement& m : run.measurements) {
-    if (byTechnique[m.technique].empty()) order.push_back(m.technique);
-    byTechnique[m.technique].push_back(&m);
-  }
-  std::map<int, std::vector<Line>> byBits;
-  for (const std::string& name : order) {
-    byBits[byTechnique[name].front()->bits].push_back({byTechnique[name].front(), columns.row(byTechnique[name])});
-  }
-
-  out << "RMSE against exact filtered visibility, weighted by n.l; each technique at its best shift and floor in each "
-         "scene.\nMeshes: mean over the lights. " << run.size << " x " << run.size << " texels, kernel " << run.kernel
-      << ", seed " << run.seed << ".\n";
-  Best oneTap;
-  Best anyTaps;
-  for (auto& [bits, lines] : byBits) {
-    std::stable_sort(lines.begin(), lines.end(),
-                     [&](const Line& a, const Line& b) { return columns.rank(a.row) < columns.rank(b.row); });
-    printHeader(columns, bits > 0 ? std::to_string(bits) + " bits" : "limits", out);
-    oneTap.ours = anyTaps.ours = nullptr;
-    for (const Line& line : lines) {
-      printLine(columns, line.technique->technique + (line.technique->peer ? " (peer)" : ""), line.row, 4, out);
-      if (bits == 0) continue;
-      anyTaps.consider(line, columns);
-      if (line.technique->taps == 1) oneTap.consider(line, columns);
+void printTables(const Run& run, std::ostream& out)
+{
+    const Columns columns(run.measurements);
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<const Measurement*>> byTechnique;
+    for (const Measurement& m : run.measurements)
+    {
+        if (byTechnique[m.technique].empty())
+            order.push_back(m.technique);
+        byTechnique[m.technique].push_back(&m);
     }
-    oneTap.print("one tap: ", columns, out);
-    if (anyTaps.ours != oneTap.ours) anyTaps.print("any taps: ", columns, out);
-  }
+    std::map<int, std::vector<Line>> byBits;
+    for (const std::string& name : order)
+    {
+        byBits[byTechnique[name].front()->bits].push_back({byTechnique[name].front(), columns.row(byTechnique[name])});
+    }
+
+    out << "RMSE against exact filtered visibility, weighted by n.l; each technique at its best shift and floor in "
+           "each "
+           "scene.\nMeshes: mean over the lights. "
+        << run.size << " x " << run.size << " texels, kernel " << run.kernel << ", seed " << run.seed << ".\n";
+    Best oneTap;
+    Best anyTaps;
+    for (auto& [bits, lines] : byBits)
+    {
+        std::stable_sort(lines.begin(), lines.end(),
+                         [&](const Line& a, const Line& b) { return columns.rank(a.row) < columns.rank(b.row); });
+        printHeader(columns, bits > 0 ? std::to_string(bits) + " bits" : "limits", out);
+        oneTap.ours = anyTaps.ours = nullptr;
+        for (const Line& line : lines)
+        {
+            printLine(columns, line.technique->technique + (line.technique->peer ? " (peer)" : ""), line.row, 4, out);
+            if (bits == 0)
+                continue;
+            anyTaps.consider(line, columns);
+            if (line.technique->taps == 1)
+                oneTap.consider(line, columns);
+        }
+        oneTap.print("one tap: ", columns, out);
+        if (anyTaps.ours != oneTap.ours)
+            anyTaps.print("any taps: ", columns, out);
+    }
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

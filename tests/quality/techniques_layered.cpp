@@ -5,142 +5,180 @@
 #include "layer_splits.hpp"
 #include "techniques.hpp"
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
 // Of reduceLightBleeding, inside the receiver's layer alone.
 constexpr float kContact = 0.15f;
 
 /// Two moments a layer, in the basis for few bits where the format is unorm8.
-class Layers : public Estimator {
- public:
-  Layers(const Map& map, Splits splits, Format format)
-      : splits_(std::move(splits)), deviation_(map.deviation), compact_(format == Format::Unorm8) {}
-
-  void store(const Surface& nearest, float* texel) const override {
-    for (int i = 0; i < splits_.count(); ++i) {
-      const glm::vec2 slope = ownSlope(nearest) / splits_.length(i);
-      const float warped = layerWarp(nearest.depth, splits_.interval(i));
-      const bool inside = warped > 0.0f && warped < 1.0f;
-      const glm::vec2 moments = inside ? depthMomentsSloped(warped, slope.x, slope.y) : depthMoments(warped);
-      const glm::vec2 kept = compact_ ? compactMoments(moments) : moments;
-      texel[2 * i] = kept.x;
-      texel[2 * i + 1] = kept.y;
+class Layers : public Estimator
+{
+public:
+    Layers(const Map& map, Splits splits, Format format)
+        : splits_(std::move(splits)), deviation_(map.deviation), compact_(format == Format::Unorm8)
+    {
     }
-  }
 
- protected:
-  /// Of a layer, or of all in front of the first, or of all behind the last.
-  glm::vec2 moments(const Query& q, int layer) const {
-    if (layer < 0) return glm::vec2(1.0f);
-    if (layer >= splits_.count()) return glm::vec2(0.0f);
-    const glm::vec2 kept(q.texel[2 * layer], q.texel[2 * layer + 1]);
-    return compact_ ? expandMoments(kept) : kept;
-  }
+    void store(const Surface& nearest, float* texel) const override
+    {
+        for (int i = 0; i < splits_.count(); ++i)
+        {
+            const glm::vec2 slope = ownSlope(nearest) / splits_.length(i);
+            const float warped = layerWarp(nearest.depth, splits_.interval(i));
+            const bool inside = warped > 0.0f && warped < 1.0f;
+            const glm::vec2 moments = inside ? depthMomentsSloped(warped, slope.x, slope.y) : depthMoments(warped);
+            const glm::vec2 kept = compact_ ? compactMoments(moments) : moments;
+            texel[2 * i] = kept.x;
+            texel[2 * i + 1] = kept.y;
+        }
+    }
 
-  float minVariance(const Query& q, float length) const {
-    return std::max(q.slopeVariance, q.storedVariance * length * length);
-  }
+protected:
+    /// Of a layer, or of all in front of the first, or of all behind the last.
+    glm::vec2 moments(const Query& q, int layer) const
+    {
+        if (layer < 0)
+            return glm::vec2(1.0f);
+        if (layer >= splits_.count())
+            return glm::vec2(0.0f);
+        const glm::vec2 kept(q.texel[2 * layer], q.texel[2 * layer + 1]);
+        return compact_ ? expandMoments(kept) : kept;
+    }
 
-  Splits splits_;
-  float deviation_;
+    float minVariance(const Query& q, float length) const
+    {
+        return std::max(q.slopeVariance, q.storedVariance * length * length);
+    }
 
- private:
-  bool compact_;
+    Splits splits_;
+    float deviation_;
+
+private:
+    bool compact_;
 };
 
-class PaperLayers : public Layers {
- public:
-  using Layers::Layers;
-  float visibility(const Query& q) const override {
-    const int layer = splits_.layerOf(q.depth);
-    return layeredVisibility(moments(q, layer), q.depth, splits_.interval(layer),
-                             minVariance(q, splits_.length(layer)));
-  }
+class PaperLayers : public Layers
+{
+public:
+    using Layers::Layers;
+    float visibility(const Query& q) const override
+    {
+        const int layer = splits_.layerOf(q.depth);
+        return layeredVisibility(moments(q, layer), q.depth, splits_.interval(layer),
+                                 minVariance(q, splits_.length(layer)));
+    }
 };
 
-class BracketedLayers : public Layers {
- public:
-  using Layers::Layers;
-  float visibility(const Query& q) const override {
-    const int layer = splits_.layerOf(q.depth);
-    return bracketedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
-                               splits_.interval(layer), minVariance(q, splits_.length(layer)));
-  }
+class BracketedLayers : public Layers
+{
+public:
+    using Layers::Layers;
+    float visibility(const Query& q) const override
+    {
+        const int layer = splits_.layerOf(q.depth);
+        return bracketedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
+                                   splits_.interval(layer), minVariance(q, splits_.length(layer)));
+    }
 };
 
-class BoundedLayers : public Layers {
- public:
-  using Layers::Layers;
-  float visibility(const Query& q) const override {
-    const int layer = splits_.layerOf(q.depth);
-    return bracketedBoundedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
-                                      splits_.interval(layer), minVariance(q, splits_.length(layer)));
-  }
+class BoundedLayers : public Layers
+{
+public:
+    using Layers::Layers;
+    float visibility(const Query& q) const override
+    {
+        const int layer = splits_.layerOf(q.depth);
+        return bracketedBoundedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
+                                          splits_.interval(layer), minVariance(q, splits_.length(layer)));
+    }
 };
 
 /// The union of the layers that the receiver's plane reaches, judged relative to it; reads the four neighbours too.
-class PlaneLayers : public Layers {
- public:
-  using Layers::Layers;
-  float visibility(const Query& q) const override {
-    const float variance = planeVariance(q.gradient, deviation_);
-    const float reach = std::sqrt(variance);
-    const int first = splits_.layerOf(q.depth - reach);
-    const int last = splits_.layerOf(q.depth + reach);
-    const float begin = splits_.interval(first).x;
-    const float length = splits_.interval(last).y - begin;
+class PlaneLayers : public Layers
+{
+public:
+    using Layers::Layers;
+    float visibility(const Query& q) const override
+    {
+        const float variance = planeVariance(q.gradient, deviation_);
+        const float reach = std::sqrt(variance);
+        const int first = splits_.layerOf(q.depth - reach);
+        const int last = splits_.layerOf(q.depth + reach);
+        const float begin = splits_.interval(first).x;
+        const float length = splits_.interval(last).y - begin;
 
-    glm::vec2 own = moments(q, first);
-    float merged = splits_.length(first);
-    float ownCovariance = covariance(q, first) * merged / length;
-    for (int i = first + 1; i <= last; ++i) {
-      own = mergeLayers(own, moments(q, i), merged, splits_.length(i));
-      merged += splits_.length(i);
-      ownCovariance += covariance(q, i) * splits_.length(i) / length;
+        glm::vec2 own = moments(q, first);
+        float merged = splits_.length(first);
+        float ownCovariance = covariance(q, first) * merged / length;
+        for (int i = first + 1; i <= last; ++i)
+        {
+            own = mergeLayers(own, moments(q, i), merged, splits_.length(i));
+            merged += splits_.length(i);
+            ownCovariance += covariance(q, i) * splits_.length(i) / length;
+        }
+        const glm::vec3 covariances(covariance(q, first - 1), ownCovariance, covariance(q, last + 1));
+        return planeBracketedVisibility(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
+                                        glm::vec2(begin, begin + length), variance, minVariance(q, length), kContact);
     }
-    const glm::vec3 covariances(covariance(q, first - 1), ownCovariance, covariance(q, last + 1));
-    return planeBracketedVisibility(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
-                                    glm::vec2(begin, begin + length), variance, minVariance(q, length), kContact);
-  }
 
- private:
-  float covariance(const Query& q, int layer) const {
-    if (layer < 0 || layer >= splits_.count()) return 0.0f;
-    const auto mean = [&](int dx, int dy) { return q.image.texel(q.x + dx, q.y + dy)[2 * layer]; };
-    return planeCovariance(glm::vec4(mean(1, 0), mean(-1, 0), mean(0, 1), mean(0, -1)), q.gradient, deviation_);
-  }
+private:
+    float covariance(const Query& q, int layer) const
+    {
+        if (layer < 0 || layer >= splits_.count())
+            return 0.0f;
+        const auto mean = [&](int dx, int dy)
+        {
+            return q.image.texel(q.x + dx, q.y + dy)[2 * layer];
+        };
+        return planeCovariance(glm::vec4(mean(1, 0), mean(-1, 0), mean(0, 1), mean(0, -1)), q.gradient, deviation_);
+    }
 };
 
 template <typename E>
-Technique layered(const std::string& estimate, int count, Format format, Placement placement) {
-  const std::string name =
-      "LVSM-" + std::to_string(count) + " " + nameOf(format) + " " + estimate + ", " + nameOf(placement);
-  return {name, false, 2 * count * bitsOf(format), 2 * count, format, true, [=](const Map& map) {
-            return std::make_unique<E>(map, Splits(map, count, placement), format);
-          }};
+Technique layered(const std::string& estimate, int count, Format format, Placement placement)
+{
+    const std::string name =
+        "LVSM-" + std::to_string(count) + " " + nameOf(format) + " " + estimate + ", " + nameOf(placement);
+    return {name,
+            false,
+            2 * count * bitsOf(format),
+            2 * count,
+            format,
+            true,
+            [=](const Map& map)
+            {
+                return std::make_unique<E>(map, Splits(map, count, placement), format);
+            }};
 }
 
-}  // namespace
+} // namespace
 
-std::vector<Technique> layeredTechniques() {
-  std::vector<Technique> all;
-  for (const int count : {2, 4, 8}) {
-    all.push_back(layered<PaperLayers>("paper", count, Format::Unorm16, Placement::Uniform));
-    for (const Placement placement : {Placement::Uniform, Placement::Optimal}) {
-      all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm16, placement));
+std::vector<Technique> layeredTechniques()
+{
+    std::vector<Technique> all;
+    for (const int count : {2, 4, 8})
+    {
+        all.push_back(layered<PaperLayers>("paper", count, Format::Unorm16, Placement::Uniform));
+        for (const Placement placement : {Placement::Uniform, Placement::Optimal})
+        {
+            all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm16, placement));
+        }
+        all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm16, Placement::Uniform));
     }
-    all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm16, Placement::Uniform));
-  }
-  for (const int count : {2, 4, 8, 16}) {
-    all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm8, Placement::Uniform));
-    all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm8, Placement::Uniform));
-    for (const Placement placement : {Placement::Uniform, Placement::Optimal}) {
-      all.push_back(layered<PlaneLayers>("plane", count, Format::Unorm8, placement));
+    for (const int count : {2, 4, 8, 16})
+    {
+        all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm8, Placement::Uniform));
+        all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm8, Placement::Uniform));
+        for (const Placement placement : {Placement::Uniform, Placement::Optimal})
+        {
+            all.push_back(layered<PlaneLayers>("plane", count, Format::Unorm8, placement));
+        }
+        all.push_back(fourTaps(layered<PlaneLayers>("plane", count, Format::Unorm8, Placement::Optimal)));
     }
-    all.push_back(fourTaps(layered<PlaneLayers>("plane", count, Format::Unorm8, Placement::Optimal)));
-  }
-  return all;
+    return all;
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

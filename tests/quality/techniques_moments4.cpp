@@ -5,75 +5,97 @@
 #include "layer_splits.hpp"
 #include "techniques.hpp"
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
-void keep(const glm::vec4& moments, bool encoded, float* texel) {
-  const glm::vec4 kept = encoded ? encodeMoments4(moments) : moments;
-  for (int i = 0; i < 4; ++i) texel[i] = kept[i];
+void keep(const glm::vec4& moments, bool encoded, float* texel)
+{
+    const glm::vec4 kept = encoded ? encodeMoments4(moments) : moments;
+    for (int i = 0; i < 4; ++i)
+        texel[i] = kept[i];
 }
 
-glm::vec4 kept(const float* texel, bool encoded) {
-  const glm::vec4 moments(texel[0], texel[1], texel[2], texel[3]);
-  return encoded ? decodeMoments4(moments) : moments;
+glm::vec4 kept(const float* texel, bool encoded)
+{
+    const glm::vec4 moments(texel[0], texel[1], texel[2], texel[3]);
+    return encoded ? decodeMoments4(moments) : moments;
 }
 
-class Msm4 : public Estimator {
- public:
-  Msm4(bool encoded, float bias) : encoded_(encoded), bias_(bias) {}
-  void store(const Surface& nearest, float* texel) const override {
-    keep(depthMoments4(nearest.depth), encoded_, texel);
-  }
-  float visibility(const Query& q) const override { return momentVisibility4(kept(q.texel, encoded_), q.depth, bias_); }
+class Msm4 : public Estimator
+{
+public:
+    Msm4(bool encoded, float bias) : encoded_(encoded), bias_(bias) {}
+    void store(const Surface& nearest, float* texel) const override
+    {
+        keep(depthMoments4(nearest.depth), encoded_, texel);
+    }
+    float visibility(const Query& q) const override
+    {
+        return momentVisibility4(kept(q.texel, encoded_), q.depth, bias_);
+    }
 
- private:
-  bool encoded_;
-  float bias_;
+private:
+    bool encoded_;
+    float bias_;
 };
 
 /// Four moments a layer, 16 bits each.
-class LayeredMsm4 : public Estimator {
- public:
-  explicit LayeredMsm4(Splits splits) : splits_(std::move(splits)) {}
+class LayeredMsm4 : public Estimator
+{
+public:
+    explicit LayeredMsm4(Splits splits) : splits_(std::move(splits)) {}
 
-  void store(const Surface& nearest, float* texel) const override {
-    for (int i = 0; i < splits_.count(); ++i) {
-      keep(layerMoments4(nearest.depth, splits_.interval(i)), true, texel + 4 * i);
+    void store(const Surface& nearest, float* texel) const override
+    {
+        for (int i = 0; i < splits_.count(); ++i)
+        {
+            keep(layerMoments4(nearest.depth, splits_.interval(i)), true, texel + 4 * i);
+        }
     }
-  }
 
-  float visibility(const Query& q) const override {
-    const int layer = splits_.layerOf(q.depth);
-    const auto moments = [&](int i) { return kept(q.texel + 4 * i, true); };
-    const glm::vec4 front = layer > 0 ? moments(layer - 1) : glm::vec4(1.0f);
-    const glm::vec4 behind = layer + 1 < splits_.count() ? moments(layer + 1) : glm::vec4(-1.0f, 1.0f, -1.0f, 1.0f);
-    return bracketedVisibility4(front, moments(layer), behind, q.depth, splits_.interval(layer),
-                                kMoment4BiasUnorm16<float>);
-  }
+    float visibility(const Query& q) const override
+    {
+        const int layer = splits_.layerOf(q.depth);
+        const auto moments = [&](int i)
+        {
+            return kept(q.texel + 4 * i, true);
+        };
+        const glm::vec4 front = layer > 0 ? moments(layer - 1) : glm::vec4(1.0f);
+        const glm::vec4 behind = layer + 1 < splits_.count() ? moments(layer + 1) : glm::vec4(-1.0f, 1.0f, -1.0f, 1.0f);
+        return bracketedVisibility4(front, moments(layer), behind, q.depth, splits_.interval(layer),
+                                    kMoment4BiasUnorm16<float>);
+    }
 
- private:
-  Splits splits_;
+private:
+    Splits splits_;
 };
 
-}  // namespace
+} // namespace
 
-std::vector<Technique> momentTechniques() {
-  constexpr float kBias8 = 6.0e-5f * 256.0f;  // rounding is 257 times that of 16 bits
-  std::vector<Technique> all{
-      {"MSM4 unorm8", true, 32, 4, Format::Unorm8, false, fixed<Msm4>(true, kBias8)},
-      {"MSM4 unorm16", true, 64, 4, Format::Unorm16, false, fixed<Msm4>(true, kMoment4BiasUnorm16<float>)},
-      {"MSM4 rgba32f", true, 128, 4, Format::Fp32, false, fixed<Msm4>(false, kMoment4BiasFp32<float>)}};
-  all.push_back(fourTaps(all[1]));
-  all.push_back(fourTaps(all[2]));
-  for (const int count : {2, 4}) {
-    for (const Placement placement : {Placement::Uniform, Placement::Optimal}) {
-      const std::string name = "MSM4 x " + std::to_string(count) + " layers unorm16, " + nameOf(placement);
-      all.push_back({name, false, 64 * count, 4 * count, Format::Unorm16, false, [=](const Map& map) {
-                       return std::make_unique<LayeredMsm4>(Splits(map, count, placement));
-                     }});
+std::vector<Technique> momentTechniques()
+{
+    constexpr float kBias8 = 6.0e-5f * 256.0f; // rounding is 257 times that of 16 bits
+    std::vector<Technique> all{
+        {"MSM4 unorm8", true, 32, 4, Format::Unorm8, false, fixed<Msm4>(true, kBias8)},
+        {"MSM4 unorm16", true, 64, 4, Format::Unorm16, false, fixed<Msm4>(true, kMoment4BiasUnorm16<float>)},
+        {"MSM4 rgba32f", true, 128, 4, Format::Fp32, false, fixed<Msm4>(false, kMoment4BiasFp32<float>)}};
+    all.push_back(fourTaps(all[1]));
+    all.push_back(fourTaps(all[2]));
+    for (const int count : {2, 4})
+    {
+        for (const Placement placement : {Placement::Uniform, Placement::Optimal})
+        {
+            const std::string name = "MSM4 x " + std::to_string(count) + " layers unorm16, " + nameOf(placement);
+            all.push_back({name, false, 64 * count, 4 * count, Format::Unorm16, false,
+                           [=](const Map& map)
+                           {
+                               return std::make_unique<LayeredMsm4>(Splits(map, count, placement));
+                           }});
+        }
     }
-  }
-  return all;
+    return all;
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

@@ -5,69 +5,83 @@
 
 #include "techniques.hpp"
 
-namespace lvsm::quality {
-namespace {
+namespace lvsm::quality
+{
+namespace
+{
 
-class Vsm : public Estimator {
- public:
-  void store(const Surface& nearest, float* texel) const override {
-    const glm::vec2 slope = ownSlope(nearest);
-    const glm::vec2 moments = depthMomentsSloped(nearest.depth, slope.x, slope.y);
-    texel[0] = moments.x;
-    texel[1] = moments.y;
-  }
-  float visibility(const Query& q) const override {
-    return chebyshevUpperBound(glm::vec2(q.texel[0], q.texel[1]), q.depth, std::max(q.slopeVariance, q.storedVariance));
-  }
+class Vsm : public Estimator
+{
+public:
+    void store(const Surface& nearest, float* texel) const override
+    {
+        const glm::vec2 slope = ownSlope(nearest);
+        const glm::vec2 moments = depthMomentsSloped(nearest.depth, slope.x, slope.y);
+        texel[0] = moments.x;
+        texel[1] = moments.y;
+    }
+    float visibility(const Query& q) const override
+    {
+        return chebyshevUpperBound(glm::vec2(q.texel[0], q.texel[1]), q.depth,
+                                   std::max(q.slopeVariance, q.storedVariance));
+    }
 };
 
-class Evsm2 : public Estimator {
- public:
-  explicit Evsm2(float exponent) : exponent_(exponent) {}
-  void store(const Surface& nearest, float* texel) const override {
-    const glm::vec4 moments = exponentialMoments(nearest.depth, glm::vec2(exponent_, 0.0f));
-    texel[0] = moments.x;
-    texel[1] = moments.y;
-  }
-  float visibility(const Query& q) const override {
-    return exponentialVisibility2(glm::vec2(q.texel[0], q.texel[1]), q.depth, exponent_,
-                                  std::max(q.slopeVariance, q.storedVariance));
-  }
+class Evsm2 : public Estimator
+{
+public:
+    explicit Evsm2(float exponent) : exponent_(exponent) {}
+    void store(const Surface& nearest, float* texel) const override
+    {
+        const glm::vec4 moments = exponentialMoments(nearest.depth, glm::vec2(exponent_, 0.0f));
+        texel[0] = moments.x;
+        texel[1] = moments.y;
+    }
+    float visibility(const Query& q) const override
+    {
+        return exponentialVisibility2(glm::vec2(q.texel[0], q.texel[1]), q.depth, exponent_,
+                                      std::max(q.slopeVariance, q.storedVariance));
+    }
 
- private:
-  float exponent_;
+private:
+    float exponent_;
 };
 
-class Evsm4 : public Estimator {
- public:
-  Evsm4(float positive, float negative) : exponents_(positive, negative) {}
-  void store(const Surface& nearest, float* texel) const override {
-    const glm::vec4 moments = exponentialMoments(nearest.depth, exponents_);
-    for (int i = 0; i < 4; ++i) texel[i] = moments[i];
-  }
-  float visibility(const Query& q) const override {
-    return exponentialVisibility4(glm::vec4(q.texel[0], q.texel[1], q.texel[2], q.texel[3]), q.depth, exponents_,
-                                  std::max(q.slopeVariance, q.storedVariance));
-  }
+class Evsm4 : public Estimator
+{
+public:
+    Evsm4(float positive, float negative) : exponents_(positive, negative) {}
+    void store(const Surface& nearest, float* texel) const override
+    {
+        const glm::vec4 moments = exponentialMoments(nearest.depth, exponents_);
+        for (int i = 0; i < 4; ++i)
+            texel[i] = moments[i];
+    }
+    float visibility(const Query& q) const override
+    {
+        return exponentialVisibility4(glm::vec4(q.texel[0], q.texel[1], q.texel[2], q.texel[3]), q.depth, exponents_,
+                                      std::max(q.slopeVariance, q.storedVariance));
+    }
 
- private:
-  glm::vec2 exponents_;
+private:
+    glm::vec2 exponents_;
 };
 
-}  // namespace
+} // namespace
 
-std::vector<Technique> varianceTechniques() {
-  // 5.54: the most that fp16 bears. 42 for fp32 likewise, with head room; 10 and 5 for the negative warp are what
-  // public implementations ship with.
-  constexpr float kFp16 = 5.54f;
-  return {{"VSM rg16", true, 32, 2, Format::Unorm16, true, fixed<Vsm>()},
-          {"EVSM2 rg16f 5.54", true, 32, 2, Format::Fp16, true, fixed<Evsm2>(kFp16)},
-          {"VSM rg32f", true, 64, 2, Format::Fp32, true, fixed<Vsm>()},
-          {"EVSM2 rg32f 42", true, 64, 2, Format::Fp32, true, fixed<Evsm2>(42.0f)},
-          {"EVSM4 rgba16f 5.54", true, 64, 4, Format::Fp16, true, fixed<Evsm4>(kFp16, kFp16)},
-          {"EVSM4 rgba32f 40/5", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(40.0f, 5.0f)},
-          {"EVSM4 rgba32f 42/10", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(42.0f, 10.0f)},
-          {"EVSM4 rgba32f 42/42", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(42.0f, 42.0f)}};
+std::vector<Technique> varianceTechniques()
+{
+    // 5.54: the most that fp16 bears. 42 for fp32 likewise, with head room; 10 and 5 for the negative warp are what
+    // public implementations ship with.
+    constexpr float kFp16 = 5.54f;
+    return {{"VSM rg16", true, 32, 2, Format::Unorm16, true, fixed<Vsm>()},
+            {"EVSM2 rg16f 5.54", true, 32, 2, Format::Fp16, true, fixed<Evsm2>(kFp16)},
+            {"VSM rg32f", true, 64, 2, Format::Fp32, true, fixed<Vsm>()},
+            {"EVSM2 rg32f 42", true, 64, 2, Format::Fp32, true, fixed<Evsm2>(42.0f)},
+            {"EVSM4 rgba16f 5.54", true, 64, 4, Format::Fp16, true, fixed<Evsm4>(kFp16, kFp16)},
+            {"EVSM4 rgba32f 40/5", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(40.0f, 5.0f)},
+            {"EVSM4 rgba32f 42/10", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(42.0f, 10.0f)},
+            {"EVSM4 rgba32f 42/42", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(42.0f, 42.0f)}};
 }
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality

@@ -5,14 +5,16 @@
 
 #include "peel.hpp"
 
-namespace lvsm::quality {
+namespace lvsm::quality
+{
 
 /// A surface to be shaded, with its exact visibility.
-struct Receiver {
-  int x, y;
-  Surface surface;
-  float visibility;        ///< the filter-weighted share of the window that is not in front of the receiver's surface
-  float occluderDistance;  ///< mean depth from the taps that are in front to the surface behind them; 0 where none is
+struct Receiver
+{
+    int x, y;
+    Surface surface;
+    float visibility;       ///< the filter-weighted share of the window that is not in front of the receiver's surface
+    float occluderDistance; ///< mean depth from the taps that are in front to the surface behind them; 0 where none is
 };
 
 /// How far in front, in depth, still counts as the surface itself.
@@ -27,6 +29,6 @@ float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ive
 /// In the layered scenes, where a texel has more than three surfaces, each middle one with probability 1/2.
 std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>& kernel);
 
-}  // namespace lvsm::quality
+} // namespace lvsm::quality
 
 #endif

@@ -93,9 +93,8 @@ vk::raii::RenderPass makeRenderPass(const VulkanContext& context)
     using Layout = vk::ImageLayout;
     using Load = vk::AttachmentLoadOp;
     using Store = vk::AttachmentStoreOp;
-    const vk::AttachmentDescription attachment({}, kFormat, vk::SampleCountFlagBits::e1, Load::eDontCare,
-                                               Store::eStore, Load::eDontCare, Store::eDontCare, Layout::eGeneral,
-                                               Layout::eGeneral);
+    const vk::AttachmentDescription attachment({}, kFormat, vk::SampleCountFlagBits::e1, Load::eDontCare, Store::eStore,
+                                               Load::eDontCare, Store::eDontCare, Layout::eGeneral, Layout::eGeneral);
     const vk::AttachmentReference reference(0, Layout::eGeneral);
     vk::SubpassDescription subpass;
     subpass.setColorAttachments(reference);
@@ -155,11 +154,10 @@ Texture makeTexture(const VulkanContext& context, const Pixels& pixels)
     const vk::Extent3D extent(static_cast<std::uint32_t>(pixels.width), static_cast<std::uint32_t>(pixels.height), 1);
     const auto levels = static_cast<std::uint32_t>(pixels.levels);
     const auto slices = static_cast<std::uint32_t>(pixels.slices);
-    texture.image = {context.device,
-                     vk::ImageCreateInfo({}, vk::ImageType::e2D, kFormat, extent, levels, slices,
-                                         vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                         Usage::eSampled | Usage::eStorage | Usage::eColorAttachment |
-                                             Usage::eTransferSrc | Usage::eTransferDst)};
+    texture.image = {context.device, vk::ImageCreateInfo({}, vk::ImageType::e2D, kFormat, extent, levels, slices,
+                                                         vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                                                         Usage::eSampled | Usage::eStorage | Usage::eColorAttachment |
+                                                             Usage::eTransferSrc | Usage::eTransferDst)};
     const auto needs = texture.image.getMemoryRequirements();
     const auto type = memoryType(context, needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
     texture.memory = {context.device, vk::MemoryAllocateInfo(needs.size, type)};
@@ -172,15 +170,17 @@ Texture makeTexture(const VulkanContext& context, const Pixels& pixels)
                     vk::ImageViewCreateInfo({}, *texture.image, vk::ImageViewType::e2D, kFormat, {}, first)};
 
     const Buffer staging = makeBufferOf(context, pixels.texels);
-    submit(context, [&](vk::raii::CommandBuffer& commands) {
-        using Access = vk::AccessFlagBits;
-        using Stage = vk::PipelineStageFlagBits;
-        const vk::ImageMemoryBarrier toGeneral({}, Access::eTransferWrite, vk::ImageLayout::eUndefined,
-                                               vk::ImageLayout::eGeneral, VK_QUEUE_FAMILY_IGNORED,
-                                               VK_QUEUE_FAMILY_IGNORED, *texture.image, wholeRange(pixels));
-        commands.pipelineBarrier(Stage::eTopOfPipe, Stage::eTransfer, {}, {}, {}, toGeneral);
-        commands.copyBufferToImage(*staging.buffer, *texture.image, vk::ImageLayout::eGeneral, copiesOf(pixels));
-    });
+    submit(context,
+           [&](vk::raii::CommandBuffer& commands)
+           {
+               using Access = vk::AccessFlagBits;
+               using Stage = vk::PipelineStageFlagBits;
+               const vk::ImageMemoryBarrier toGeneral({}, Access::eTransferWrite, vk::ImageLayout::eUndefined,
+                                                      vk::ImageLayout::eGeneral, VK_QUEUE_FAMILY_IGNORED,
+                                                      VK_QUEUE_FAMILY_IGNORED, *texture.image, wholeRange(pixels));
+               commands.pipelineBarrier(Stage::eTopOfPipe, Stage::eTransfer, {}, {}, {}, toGeneral);
+               commands.copyBufferToImage(*staging.buffer, *texture.image, vk::ImageLayout::eGeneral, copiesOf(pixels));
+           });
     return texture;
 }
 
@@ -188,9 +188,10 @@ Pixels readBack(const VulkanContext& context, const Texture& texture)
 {
     Pixels pixels = texture.size;
     const Buffer staging = makeBufferOf(context, pixels.texels);
-    submit(context, [&](vk::raii::CommandBuffer& commands) {
-        commands.copyImageToBuffer(*texture.image, vk::ImageLayout::eGeneral, *staging.buffer, copiesOf(pixels));
-    });
+    submit(context,
+           [&](vk::raii::CommandBuffer& commands) {
+               commands.copyImageToBuffer(*texture.image, vk::ImageLayout::eGeneral, *staging.buffer, copiesOf(pixels));
+           });
     const auto* texels = reinterpret_cast<const glm::vec4*>(staging.data);
     pixels.texels.assign(texels, texels + pixels.texels.size());
     return pixels;
@@ -214,11 +215,13 @@ void dispatch(const VulkanContext& context, const Shader& shader, const std::vec
                                                   shader.entryPoint.c_str());
     const vk::raii::Pipeline pipeline(context.device, nullptr,
                                       vk::ComputePipelineCreateInfo({}, stage, *layout.pipeline));
-    submit(context, [&](vk::raii::CommandBuffer& commands) {
-        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, *layout.sets[0], {});
-        commands.dispatch(groupsX, groupsY, groupsZ);
-    });
+    submit(context,
+           [&](vk::raii::CommandBuffer& commands)
+           {
+               commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+               commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, *layout.sets[0], {});
+               commands.dispatch(groupsX, groupsY, groupsZ);
+           });
 }
 
 void draw(const VulkanContext& context, const Shader& vertex, const Shader& fragment,
@@ -234,14 +237,16 @@ void draw(const VulkanContext& context, const Shader& vertex, const Shader& frag
         context.device, vk::FramebufferCreateInfo({}, *pass, *view, extent.width, extent.height, 1));
     const Layout layout = makeLayout(context, bindings, vk::ShaderStageFlagBits::eFragment);
     const auto pipeline = makeDrawPipeline(context, vertex, fragment, layout.pipeline, pass, extent);
-    submit(context, [&](vk::raii::CommandBuffer& commands) {
-        commands.beginRenderPass(vk::RenderPassBeginInfo(*pass, *framebuffer, {{}, extent}),
-                                 vk::SubpassContents::eInline);
-        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, *layout.sets[0], {});
-        commands.draw(3, 1, 0, 0);
-        commands.endRenderPass();
-    });
+    submit(context,
+           [&](vk::raii::CommandBuffer& commands)
+           {
+               commands.beginRenderPass(vk::RenderPassBeginInfo(*pass, *framebuffer, {{}, extent}),
+                                        vk::SubpassContents::eInline);
+               commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
+               commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, *layout.sets[0], {});
+               commands.draw(3, 1, 0, 0);
+               commands.endRenderPass();
+           });
 }
 
 } // namespace sampling

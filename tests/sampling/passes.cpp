@@ -33,11 +33,10 @@ struct Pass
     Shader shader() const
     {
         const bool compute = stage == Stage::Compute;
-        const std::string file =
-            form.isHlsl() ? form.hlslFolder + "/lvsm/passes/" + name + ".hlsl"
-                          : form.glslFolder + "/lvsm/passes/" + name + (compute ? ".comp" : ".frag");
-        return compile(form, file,
-                       compute ? vk::ShaderStageFlagBits::eCompute : vk::ShaderStageFlagBits::eFragment,
+        const std::string file = form.isHlsl()
+                                     ? form.hlslFolder + "/lvsm/passes/" + name + ".hlsl"
+                                     : form.glslFolder + "/lvsm/passes/" + name + (compute ? ".comp" : ".frag");
+        return compile(form, file, compute ? vk::ShaderStageFlagBits::eCompute : vk::ShaderStageFlagBits::eFragment,
                        form.isHlsl() ? "lvsm_" + name + (compute ? "Compute" : "Pixel") : "main", macros);
     }
 };
@@ -138,8 +137,8 @@ bool checkBlurOf(VulkanContext& context, const Pass& pass, int size, const Weigh
                 const int tapX = k % size;
                 const int tapY = k / size;
                 // The first pass clamps its rows, the second its columns: together a clamped window.
-                expected += weight(tapX) * weight(tapY) *
-                            Vec4(pixels.at(x + tapX - size / 2, y + tapY - size / 2, slice));
+                expected +=
+                    weight(tapX) * weight(tapY) * Vec4(pixels.at(x + tapX - size / 2, y + tapY - size / 2, slice));
             }
             for (int c = 0; c < 4; ++c)
                 comparison.expect(static_cast<double>(blurred.at(x, y, slice)[c]), expected[c], tolerance,
@@ -182,7 +181,8 @@ bool checkStoreOf(VulkanContext& context, const Pass& pass, const Store& store)
 Vec4 twoLayers(double depth, int slice)
 {
     const double splits[] = {0, 0.25, 0.625, 1};
-    const auto moments = [&](int layer) {
+    const auto moments = [&](int layer)
+    {
         if (layer >= 3)
             return glm::dvec2(1, 1);
         return lvsm::layerMoments(depth, lvsm::layerInterval(splits[layer], splits[layer + 1], 0.0625));
@@ -221,9 +221,7 @@ bool checkStore(VulkanContext& context, const Form& form)
                               {form, stage, "store",
                                format + "#define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, " + vec2 +
                                    "(5.0, 2.0))\n"},
-                              [](double depth, int) {
-                                  return lvsm::exponentialMoments(depth, glm::dvec2(5, 2));
-                              }) &&
+                              [](double depth, int) { return lvsm::exponentialMoments(depth, glm::dvec2(5, 2)); }) &&
                  passed;
     }
     return passed;

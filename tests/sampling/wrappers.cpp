@@ -48,7 +48,8 @@ Maps makeMaps()
             maps.terms.at(x, y, 0, level) = glm::vec4(lvsm::occluderTerm(depth, static_cast<float>(kExponent)));
             for (int layer = 0; layer < kLayers; layer += 2)
             {
-                const auto moments = [depth](int index) {
+                const auto moments = [depth](int index)
+                {
                     return lvsm::layerMoments(depth, lvsm::layerInterval(kSplits[index], kSplits[index + 1], 0.0625f));
                 };
                 maps.layers.at(x, y, layer / 2, level) = lvsm::packLayers(moments(layer), moments(layer + 1));
@@ -87,7 +88,10 @@ Vec4 filtered(const Pixels& map, Vec2 uv, int slice, int level)
     const Vec2 f = uv * size - 0.5 - corner;
     const int x = static_cast<int>(corner.x);
     const int y = static_cast<int>(corner.y);
-    const auto texel = [&](int dx, int dy) { return Vec4(map.at(x + dx, y + dy, slice, level)); };
+    const auto texel = [&](int dx, int dy)
+    {
+        return Vec4(map.at(x + dx, y + dy, slice, level));
+    };
     const Vec4 top = texel(0, 0) * (1 - f.x) + texel(1, 0) * f.x;
     const Vec4 bottom = texel(0, 1) * (1 - f.x) + texel(1, 1) * f.x;
     return top * (1 - f.y) + bottom * f.y;
@@ -115,8 +119,7 @@ Vec4 gathered(const Pixels& map, Vec2 uv, int slice, double border)
 double layerVisibility(const Maps& maps, const Receiver& receiver, int layer)
 {
     const Vec2 interval = lvsm::layerInterval<double>(kSplits[layer], kSplits[layer + 1], 0.0625);
-    const Vec4 texel =
-        isOnMap(receiver.uv) ? filtered(maps.layers, receiver.uv, layer / 2, receiver.level) : Vec4(1);
+    const Vec4 texel = isOnMap(receiver.uv) ? filtered(maps.layers, receiver.uv, layer / 2, receiver.level) : Vec4(1);
     return lvsm::layeredVisibility(lvsm::unpackLayer(texel, layer), receiver.depth, interval, 0.01);
 }
 
@@ -188,9 +191,9 @@ std::vector<float> run(VulkanContext& context, const Form& form, const Maps& map
     std::vector<Binding> bindings = bind(form, textures, *sampler);
     bindings.push_back({0, vk::DescriptorType::eStorageBuffer, *input.buffer});
     bindings.push_back({1, vk::DescriptorType::eStorageBuffer, *output.buffer});
-    const Shader shader = compile(form, form.kernelFolder + (form.isHlsl() ? "/wrappers.hlsl" : "/wrappers.comp"),
-                                  vk::ShaderStageFlagBits::eCompute, "main",
-                                  form.name == "separate" ? "#define SEPARATE\n" : "");
+    const Shader shader =
+        compile(form, form.kernelFolder + (form.isHlsl() ? "/wrappers.hlsl" : "/wrappers.comp"),
+                vk::ShaderStageFlagBits::eCompute, "main", form.name == "separate" ? "#define SEPARATE\n" : "");
     dispatch(context, shader, bindings, static_cast<std::uint32_t>(inputs.size()), 1, 1);
     const auto* results = reinterpret_cast<const float*>(output.data);
     return {results, results + inputs.size() * kResults};

@@ -11,7 +11,7 @@ import re
 LANGUAGES = {"C++": ("include/lvsm", ".hpp"), "GLSL": ("glsl/lvsm", ".glsl"), "HLSL": ("hlsl/lvsm", ".hlsli")}
 UMBRELLA = "lvsm"
 # Topics that exist in C++ alone: algorithms over whole images, which no shader runs.
-HOST_ONLY = {"lloyd", "optimal"}
+HOST_ONLY = {"lloyd", "optimal", "runs"}
 
 
 @dataclasses.dataclass

@@ -21,30 +21,12 @@ public:
     Result(T value) : m_value(std::move(value)) {}
     Result(Failure failure) : m_error(std::move(failure.message)) {}
 
-    explicit operator bool() const
-    {
-        return m_value.has_value();
-    }
-    T& operator*()
-    {
-        return *m_value;
-    }
-    const T& operator*() const
-    {
-        return *m_value;
-    }
-    T* operator->()
-    {
-        return &*m_value;
-    }
-    const T* operator->() const
-    {
-        return &*m_value;
-    }
-    const std::string& error() const
-    {
-        return m_error;
-    }
+    explicit operator bool() const { return m_value.has_value(); }
+    T& operator*() { return *m_value; }
+    const T& operator*() const { return *m_value; }
+    T* operator->() { return &*m_value; }
+    const T* operator->() const { return &*m_value; }
+    const std::string& error() const { return m_error; }
 
 private:
     std::optional<T> m_value;

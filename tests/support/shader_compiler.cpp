@@ -74,14 +74,8 @@ private:
 
 struct GlslangProcess
 {
-    GlslangProcess()
-    {
-        glslang::InitializeProcess();
-    }
-    ~GlslangProcess()
-    {
-        glslang::FinalizeProcess();
-    }
+    GlslangProcess() { glslang::InitializeProcess(); }
+    ~GlslangProcess() { glslang::FinalizeProcess(); }
 };
 
 EShLanguage stageOf(ShaderStage stage)

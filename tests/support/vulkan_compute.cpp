@@ -59,11 +59,13 @@ try
                                                   job.entryPoint.c_str());
     const vk::raii::Pipeline pipeline(m_context->device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));
 
-    submit(*m_context, [&](vk::raii::CommandBuffer& commands) {
-        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *sets[0], {});
-        commands.dispatch(job.groupCount, 1, 1);
-    });
+    submit(*m_context,
+           [&](vk::raii::CommandBuffer& commands)
+           {
+               commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+               commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *sets[0], {});
+               commands.dispatch(job.groupCount, 1, 1);
+           });
     return std::vector<std::byte>(output.data, output.data + job.outputBytes);
 }
 catch (const std::exception& error)

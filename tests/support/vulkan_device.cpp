@@ -54,9 +54,9 @@ vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(std::vector<std::string>& mes
 bool hasValidationLayer(const vk::raii::Context& loader)
 {
     const auto layers = loader.enumerateInstanceLayerProperties();
-    return std::any_of(layers.begin(), layers.end(), [](const vk::LayerProperties& layer) {
-        return std::strcmp(layer.layerName, kValidationLayer) == 0;
-    });
+    return std::any_of(layers.begin(), layers.end(),
+                       [](const vk::LayerProperties& layer)
+                       { return std::strcmp(layer.layerName, kValidationLayer) == 0; });
 }
 
 vk::raii::Instance makeInstance(const vk::raii::Context& loader, bool validation, std::vector<std::string>& messages)

@@ -62,10 +62,7 @@ public:
     Result<std::vector<std::byte>> run(const ComputeJob& job);
 
     /// For callers that need more than `run`: see vulkan_context.hpp.
-    VulkanContext& context()
-    {
-        return *m_context;
-    }
+    VulkanContext& context() { return *m_context; }
 
 private:
     explicit VulkanDevice(std::unique_ptr<VulkanContext> context);

@@ -6,110 +6,130 @@
 
 #include "numbers.hpp"
 
-namespace lvsm::unit {
+namespace lvsm::unit
+{
 
 // Depths and shares in 32nds. Both moments, the variance, the distance to a 32nd and the sum of its square and the
 // variance then need 21 bits or less, so that in float the bounds are one correctly rounded division of exact numbers:
 // rounding keeps order, and a bound must hold with no tolerance at all.
-class GridDistribution {
- public:
-  static constexpr int kSteps = 32;
+class GridDistribution
+{
+public:
+    static constexpr int kSteps = 32;
 
-  explicit GridDistribution(Random& random) {
-    const int atoms = random.between(1, 5);
-    for (int left = kSteps, i = 0; left > 0; ++i) {
-      const int share = i + 1 < atoms ? random.between(1, left) : left;
-      share_[random.between(0, kSteps)] += share;
-      left -= share;
+    explicit GridDistribution(Random& random)
+    {
+        const int atoms = random.between(1, 5);
+        for (int left = kSteps, i = 0; left > 0; ++i)
+        {
+            const int share = i + 1 < atoms ? random.between(1, left) : left;
+            share_[random.between(0, kSteps)] += share;
+            left -= share;
+        }
     }
-  }
 
-  template <typename T>
-  Vec2<T> moments() const {
-    int first = 0;
-    int second = 0;
-    for (int depth = 0; depth <= kSteps; ++depth) {
-      first += share_[depth] * depth;
-      second += share_[depth] * depth * depth;
+    template <typename T>
+    Vec2<T> moments() const
+    {
+        int first = 0;
+        int second = 0;
+        for (int depth = 0; depth <= kSteps; ++depth)
+        {
+            first += share_[depth] * depth;
+            second += share_[depth] * depth * depth;
+        }
+        return {T(first) / T(kSteps * kSteps), T(second) / T(kSteps * kSteps * kSteps)};
     }
-    return {T(first) / T(kSteps * kSteps), T(second) / T(kSteps * kSteps * kSteps)};
-  }
 
-  // Share at depth step / kSteps or farther.
-  template <typename T>
-  T tail(int step) const {
-    int sum = 0;
-    for (int depth = step; depth <= kSteps; ++depth) sum += share_[depth];
-    return T(sum) / T(kSteps);
-  }
+    // Share at depth step / kSteps or farther.
+    template <typename T>
+    T tail(int step) const
+    {
+        int sum = 0;
+        for (int depth = step; depth <= kSteps; ++depth)
+            sum += share_[depth];
+        return T(sum) / T(kSteps);
+    }
 
-  template <typename T>
-  static T depthAt(int step) {
-    return T(step) / T(kSteps);
-  }
+    template <typename T>
+    static T depthAt(int step)
+    {
+        return T(step) / T(kSteps);
+    }
 
- private:
-  int share_[kSteps + 1] = {};
+private:
+    int share_[kSteps + 1] = {};
 };
 
 // The variance on its own: as a difference it would lose its digits even here.
-struct ExactMoments {
-  Exact mean = 0;
-  Exact second = 0;
-  Exact variance = 0;
+struct ExactMoments
+{
+    Exact mean = 0;
+    Exact second = 0;
+    Exact variance = 0;
 
-  template <typename T>
-  Vec2<T> rounded() const {
-    return {static_cast<T>(mean), static_cast<T>(second)};
-  }
+    template <typename T>
+    Vec2<T> rounded() const
+    {
+        return {static_cast<T>(mean), static_cast<T>(second)};
+    }
 
-  // Of two depths that cover half a window each.
-  static ExactMoments ofHalves(Exact a, Exact b) { return {(a + b) / 2, (a * a + b * b) / 2, (a - b) * (a - b) / 4}; }
+    // Of two depths that cover half a window each.
+    static ExactMoments ofHalves(Exact a, Exact b) { return {(a + b) / 2, (a * a + b * b) / 2, (a - b) * (a - b) / 4}; }
 };
 
 // Any depths with any shares.
 template <typename T>
-class Distribution {
- public:
-  explicit Distribution(Random& random) {
-    const int atoms = random.between(1, 12);
-    // Some windows are nearly flat: there the variance is all rounding.
-    const T centre = random.unit<T>();
-    const T spread = std::ldexp(T(1), -random.between(0, 24));
-    Exact sum = 0;
-    for (int i = 0; i < atoms; ++i) {
-      depths_.push_back(std::clamp(centre + spread * (random.unit<T>() - T(0.5)), T(0), T(1)));
-      shares_.push_back(Exact(random.unit<T>()) + Exact(0.001));
-      sum += shares_.back();
+class Distribution
+{
+public:
+    explicit Distribution(Random& random)
+    {
+        const int atoms = random.between(1, 12);
+        // Some windows are nearly flat: there the variance is all rounding.
+        const T centre = random.unit<T>();
+        const T spread = std::ldexp(T(1), -random.between(0, 24));
+        Exact sum = 0;
+        for (int i = 0; i < atoms; ++i)
+        {
+            depths_.push_back(std::clamp(centre + spread * (random.unit<T>() - T(0.5)), T(0), T(1)));
+            shares_.push_back(Exact(random.unit<T>()) + Exact(0.001));
+            sum += shares_.back();
+        }
+        for (Exact& share : shares_)
+            share /= sum;
     }
-    for (Exact& share : shares_) share /= sum;
-  }
 
-  const std::vector<T>& depths() const { return depths_; }
+    const std::vector<T>& depths() const { return depths_; }
 
-  Exact tail(T t) const {
-    Exact sum = 0;
-    for (std::size_t i = 0; i < depths_.size(); ++i) sum += depths_[i] >= t ? shares_[i] : 0;
-    return sum;
-  }
-
-  // Of the depths as a warp gives them in T.
-  template <typename Warp>
-  ExactMoments moments(const Warp& warp) const {
-    ExactMoments result;
-    for (std::size_t i = 0; i < depths_.size(); ++i) result.mean += shares_[i] * Exact(warp(depths_[i]));
-    for (std::size_t i = 0; i < depths_.size(); ++i) {
-      const Exact warped = warp(depths_[i]);
-      const Exact distance = warped - result.mean;
-      result.second += shares_[i] * warped * warped;
-      result.variance += shares_[i] * distance * distance;
+    Exact tail(T t) const
+    {
+        Exact sum = 0;
+        for (std::size_t i = 0; i < depths_.size(); ++i)
+            sum += depths_[i] >= t ? shares_[i] : 0;
+        return sum;
     }
-    return result;
-  }
 
- private:
-  std::vector<T> depths_;
-  std::vector<Exact> shares_;
+    // Of the depths as a warp gives them in T.
+    template <typename Warp>
+    ExactMoments moments(const Warp& warp) const
+    {
+        ExactMoments result;
+        for (std::size_t i = 0; i < depths_.size(); ++i)
+            result.mean += shares_[i] * Exact(warp(depths_[i]));
+        for (std::size_t i = 0; i < depths_.size(); ++i)
+        {
+            const Exact warped = warp(depths_[i]);
+            const Exact distance = warped - result.mean;
+            result.second += shares_[i] * warped * warped;
+            result.variance += shares_[i] * distance * distance;
+        }
+        return result;
+    }
+
+private:
+    std::vector<T> depths_;
+    std::vector<Exact> shares_;
 };
 
 // The least that rounding can make of a bound that in exact arithmetic holds: chebyshevUpperBound of moments that were
@@ -118,14 +138,15 @@ class Distribution {
 // u (k |M1| + |d|). What is of second order is covered by 1%. Three roundings follow: d^2, sum and quotient. The bound
 // rises with v and falls with d, so that the worst is where v is least and d greatest.
 template <typename T>
-Exact leastByRounding(const ExactMoments& moments, T t, Exact minVariance, int roundings = 1) {
-  constexpr Exact u = Exact(1.01) * kRoundoff<T> + 16 * std::numeric_limits<Exact>::epsilon();
-  const Exact v = std::max({moments.variance - (3 * roundings + 2) * u * moments.second, minVariance, Exact(0)});
-  const Exact distance = Exact(t) - moments.mean;
-  const Exact d = distance + u * (roundings * std::abs(moments.mean) + std::abs(distance));
-  return (1 - 4 * u) * (d > 0 ? v / (v + d * d) : Exact(1));
+Exact leastByRounding(const ExactMoments& moments, T t, Exact minVariance, int roundings = 1)
+{
+    constexpr Exact u = Exact(1.01) * kRoundoff<T> + 16 * std::numeric_limits<Exact>::epsilon();
+    const Exact v = std::max({moments.variance - (3 * roundings + 2) * u * moments.second, minVariance, Exact(0)});
+    const Exact distance = Exact(t) - moments.mean;
+    const Exact d = distance + u * (roundings * std::abs(moments.mean) + std::abs(distance));
+    return (1 - 4 * u) * (d > 0 ? v / (v + d * d) : Exact(1));
 }
 
-}  // namespace lvsm::unit
+} // namespace lvsm::unit
 
 #endif

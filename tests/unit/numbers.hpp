@@ -16,7 +16,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace lvsm::unit {
+namespace lvsm::unit
+{
 
 template <typename T>
 using Vec2 = glm::vec<2, T>;
@@ -36,110 +37,124 @@ template <typename T>
 using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
 
 template <typename T>
-Bits<T> bitsOf(T value) {
-  Bits<T> bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
+Bits<T> bitsOf(T value)
+{
+    Bits<T> bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
 }
 
 // The standard fixes the engine's output but not the distributions'; the numbers are the same everywhere.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+class Random
+{
+public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  int between(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+    int between(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
 
-  // In [0,1), as fine as T holds.
-  template <typename T>
-  T unit() {
-    constexpr int digits = std::numeric_limits<T>::digits;
-    return std::ldexp(static_cast<T>(engine_() >> (64 - digits)), -digits);
-  }
+    // In [0,1), as fine as T holds.
+    template <typename T>
+    T unit()
+    {
+        constexpr int digits = std::numeric_limits<T>::digits;
+        return std::ldexp(static_cast<T>(engine_() >> (64 - digits)), -digits);
+    }
 
-  // Any bit pattern, NaN and infinity included.
-  template <typename T>
-  T pattern() {
-    const auto bits = static_cast<Bits<T>>(engine_() >> (64 - 8 * sizeof(T)));
-    T value;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-  }
+    // Any bit pattern, NaN and infinity included.
+    template <typename T>
+    T pattern()
+    {
+        const auto bits = static_cast<Bits<T>>(engine_() >> (64 - 8 * sizeof(T)));
+        T value;
+        std::memcpy(&value, &bits, sizeof value);
+        return value;
+    }
 
-  template <typename T>
-  T finitePattern() {
-    T value = pattern<T>();
-    while (!std::isfinite(value)) value = pattern<T>();
-    return value;
-  }
+    template <typename T>
+    T finitePattern()
+    {
+        T value = pattern<T>();
+        while (!std::isfinite(value))
+            value = pattern<T>();
+        return value;
+    }
 
- private:
-  std::mt19937_64 engine_;
+private:
+    std::mt19937_64 engine_;
 };
 
 // Where arithmetic turns: ends, subnormals, the library's own limits, overflow, infinity and NaN.
 template <typename T>
-std::vector<T> specialValues() {
-  using Limits = std::numeric_limits<T>;
-  std::vector<T> values{T(0),
-                        T(1),
-                        T(2),
-                        T(0.25),
-                        T(0.5),
-                        T(43.3216),
-                        T(65536),
-                        T(1.0e18),
-                        T(0x1p-63),
-                        T(0x1p-126),
-                        T(0x1p-127),
-                        T(0x1p126),
-                        Limits::min(),
-                        Limits::denorm_min(),
-                        Limits::epsilon(),
-                        Limits::max(),
-                        Limits::infinity(),
-                        std::nextafter(T(1), T(0)),
-                        std::nextafter(T(1), T(2))};
-  for (std::size_t i = 0, count = values.size(); i < count; ++i) values.push_back(-values[i]);
-  values.push_back(Limits::quiet_NaN());
-  return values;
+std::vector<T> specialValues()
+{
+    using Limits = std::numeric_limits<T>;
+    std::vector<T> values{T(0),
+                          T(1),
+                          T(2),
+                          T(0.25),
+                          T(0.5),
+                          T(43.3216),
+                          T(65536),
+                          T(1.0e18),
+                          T(0x1p-63),
+                          T(0x1p-126),
+                          T(0x1p-127),
+                          T(0x1p126),
+                          Limits::min(),
+                          Limits::denorm_min(),
+                          Limits::epsilon(),
+                          Limits::max(),
+                          Limits::infinity(),
+                          std::nextafter(T(1), T(0)),
+                          std::nextafter(T(1), T(2))};
+    for (std::size_t i = 0, count = values.size(); i < count; ++i)
+        values.push_back(-values[i]);
+    values.push_back(Limits::quiet_NaN());
+    return values;
 }
 
 // Rounds to the 11 significant bits of fp16, to infinity past its largest value.
-inline double toFp16(double x) {
-  if (std::isinf(x)) return x;
-  const double step = std::ldexp(1.0, std::max(std::ilogb(x), -14) - 10);
-  const double nearest = std::nearbyint(x / step) * step;
-  return nearest > 65504.0 ? std::numeric_limits<double>::infinity() : nearest;
+inline double toFp16(double x)
+{
+    if (std::isinf(x))
+        return x;
+    const double step = std::ldexp(1.0, std::max(std::ilogb(x), -14) - 10);
+    const double nearest = std::nearbyint(x / step) * step;
+    return nearest > 65504.0 ? std::numeric_limits<double>::infinity() : nearest;
 }
 
 // Many claims of one kind: how many were made, and the values at the first that failed.
-class Tally {
- public:
-  template <typename... Values>
-  void claim(bool holds, const Values&... values) {
-    ++claims_;
-    if (!holds && failures_++ == 0) {
-      std::ostringstream text;
-      text.precision(20);
-      ((text << values << ' '), ...);
-      first_ = text.str();
+class Tally
+{
+public:
+    template <typename... Values>
+    void claim(bool holds, const Values&... values)
+    {
+        ++claims_;
+        if (!holds && failures_++ == 0)
+        {
+            std::ostringstream text;
+            text.precision(20);
+            ((text << values << ' '), ...);
+            first_ = text.str();
+        }
     }
-  }
 
-  // That no claim was made must not pass either.
-  bool holds() const { return claims_ > 0 && failures_ == 0; }
+    // That no claim was made must not pass either.
+    bool holds() const { return claims_ > 0 && failures_ == 0; }
 
-  std::string summary() const {
-    return std::to_string(failures_) + " of " + std::to_string(claims_) + " failed, first at " + first_;
-  }
+    std::string summary() const
+    {
+        return std::to_string(failures_) + " of " + std::to_string(claims_) + " failed, first at " + first_;
+    }
 
- private:
-  long claims_ = 0;
-  long failures_ = 0;
-  std::string first_;
+private:
+    long claims_ = 0;
+    long failures_ = 0;
+    std::string first_;
 };
 
-}  // namespace lvsm::unit
+} // namespace lvsm::unit
 
 #define LVSM_CHECK_TALLY(tally) CHECK_MESSAGE((tally).holds(), (tally).summary())
 

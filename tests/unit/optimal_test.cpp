@@ -7,260 +7,305 @@
 
 #include "numbers.hpp"
 
-namespace lvsm::unit {
-namespace {
+namespace lvsm::unit
+{
+namespace
+{
 
 // The cells with the least within-cell spread, by trying all, and their splits.
-struct Partition {
-  double cost = 1e300;
-  std::vector<int> edges;
+struct Partition
+{
+    double cost = 1e300;
+    std::vector<int> edges;
 };
 
-double centre(std::size_t bin, std::size_t bins) {
-  return (static_cast<double>(bin) + 0.5) / static_cast<double>(bins);
+double centre(std::size_t bin, std::size_t bins)
+{
+    return (static_cast<double>(bin) + 0.5) / static_cast<double>(bins);
 }
 
-double mean(const std::vector<double>& weights, int first, int last) {
-  double weight = 0, sum = 0;
-  for (int i = first; i < last; ++i) {
-    weight += weights[std::size_t(i)];
-    sum += weights[std::size_t(i)] * centre(std::size_t(i), weights.size());
-  }
-  return sum / weight;
+double mean(const std::vector<double>& weights, int first, int last)
+{
+    double weight = 0, sum = 0;
+    for (int i = first; i < last; ++i)
+    {
+        weight += weights[std::size_t(i)];
+        sum += weights[std::size_t(i)] * centre(std::size_t(i), weights.size());
+    }
+    return sum / weight;
 }
 
-double spread(const std::vector<double>& weights, int first, int last) {
-  const double middle = mean(weights, first, last);
-  double sum = 0;
-  for (int i = first; i < last; ++i) {
-    const double distance = centre(std::size_t(i), weights.size()) - middle;
-    sum += weights[std::size_t(i)] * distance * distance;
-  }
-  return sum;
+double spread(const std::vector<double>& weights, int first, int last)
+{
+    const double middle = mean(weights, first, last);
+    double sum = 0;
+    for (int i = first; i < last; ++i)
+    {
+        const double distance = centre(std::size_t(i), weights.size()) - middle;
+        sum += weights[std::size_t(i)] * distance * distance;
+    }
+    return sum;
 }
 
 void tryAll(const std::vector<double>& weights, int cells, int leastBins, std::vector<int>& edges, double cost,
-            Partition& best) {
-  const int bins = static_cast<int>(weights.size());
-  if (cells == 1) {
-    if (bins - edges.back() < leastBins) return;
-    cost += spread(weights, edges.back(), bins);
-    if (cost < best.cost) best = {cost, edges};
-    return;
-  }
-  const int first = edges.back();
-  for (int last = first + leastBins; last < bins; ++last) {
-    edges.push_back(last);
-    tryAll(weights, cells - 1, leastBins, edges, cost + spread(weights, first, last), best);
-    edges.pop_back();
-  }
+            Partition& best)
+{
+    const int bins = static_cast<int>(weights.size());
+    if (cells == 1)
+    {
+        if (bins - edges.back() < leastBins)
+            return;
+        cost += spread(weights, edges.back(), bins);
+        if (cost < best.cost)
+            best = {cost, edges};
+        return;
+    }
+    const int first = edges.back();
+    for (int last = first + leastBins; last < bins; ++last)
+    {
+        edges.push_back(last);
+        tryAll(weights, cells - 1, leastBins, edges, cost + spread(weights, first, last), best);
+        edges.pop_back();
+    }
 }
 
 // The histogram that the placement works on: normalised, with its share of a uniform one.
-std::vector<double> mixed(std::vector<double> weights, double uniformShare) {
-  double sum = 0;
-  for (const double weight : weights) sum += weight;
-  for (double& weight : weights) weight = (1 - uniformShare) * weight / sum + uniformShare / double(weights.size());
-  return weights;
+std::vector<double> mixed(std::vector<double> weights, double uniformShare)
+{
+    double sum = 0;
+    for (const double weight : weights)
+        sum += weight;
+    for (double& weight : weights)
+        weight = (1 - uniformShare) * weight / sum + uniformShare / double(weights.size());
+    return weights;
 }
 
-TEST_CASE("optimalSplitsHistogram finds what trying all partitions finds") {
-  Random random(131);
-  Tally tally;
-  for (int i = 0; i < 3000; ++i) {
-    std::vector<double> weights(static_cast<std::size_t>(random.between(4, 12)));
-    for (double& weight : weights) weight = random.unit<double>() * random.unit<double>() + 1e-3;
-    const int bins = static_cast<int>(weights.size());
-    const int layers = random.between(1, 4);
-    OptimalOptions<double> options;
-    options.uniformShare = 0.25 * random.between(0, 3);
-    const int leastBins = random.between(1, bins / layers);
-    options.minLength = (leastBins + 0.5) / bins;
+TEST_CASE("optimalSplitsHistogram finds what trying all partitions finds")
+{
+    Random random(131);
+    Tally tally;
+    for (int i = 0; i < 3000; ++i)
+    {
+        std::vector<double> weights(static_cast<std::size_t>(random.between(4, 12)));
+        for (double& weight : weights)
+            weight = random.unit<double>() * random.unit<double>() + 1e-3;
+        const int bins = static_cast<int>(weights.size());
+        const int layers = random.between(1, 4);
+        OptimalOptions<double> options;
+        options.uniformShare = 0.25 * random.between(0, 3);
+        const int leastBins = random.between(1, bins / layers);
+        options.minLength = (leastBins + 0.5) / bins;
 
-    Partition best;
-    std::vector<int> edges{0};
-    const std::vector<double> mix = mixed(weights, options.uniformShare);
-    tryAll(mix, layers, leastBins, edges, 0, best);
-    best.edges.push_back(bins);
+        Partition best;
+        std::vector<int> edges{0};
+        const std::vector<double> mix = mixed(weights, options.uniformShare);
+        tryAll(mix, layers, leastBins, edges, 0, best);
+        best.edges.push_back(bins);
 
-    double splits[5];
-    const auto result = optimalSplitsHistogram(weights.data(), bins, splits, layers, options);
-    tally.claim(result.status == OptimalStatus::Optimal && splits[0] == 0 && splits[layers] == 1, i);
-    for (std::size_t k = 1; k < std::size_t(layers); ++k) {
-      const std::vector<int>& edge = best.edges;
-      const double expected = 0.5 * (mean(mix, edge[k - 1], edge[k]) + mean(mix, edge[k], edge[k + 1]));
-      tally.claim(std::abs(splits[k] - expected) < 1e-12, i, k, splits[k], expected);
+        double splits[5];
+        const auto result = optimalSplitsHistogram(weights.data(), bins, splits, layers, options);
+        tally.claim(result.status == OptimalStatus::Optimal && splits[0] == 0 && splits[layers] == 1, i);
+        for (std::size_t k = 1; k < std::size_t(layers); ++k)
+        {
+            const std::vector<int>& edge = best.edges;
+            const double expected = 0.5 * (mean(mix, edge[k - 1], edge[k]) + mean(mix, edge[k], edge[k + 1]));
+            tally.claim(std::abs(splits[k] - expected) < 1e-12, i, k, splits[k], expected);
+        }
+        // Where no cell is held apart by its least length, each bin is nearest to the mean of its own cell.
+        if (leastBins == 1)
+            tally.claim(std::abs(result.distortion - best.cost) < 1e-12, i, result.distortion, best.cost);
     }
-    // Where no cell is held apart by its least length, each bin is nearest to the mean of its own cell.
-    if (leastBins == 1) tally.claim(std::abs(result.distortion - best.cost) < 1e-12, i, result.distortion, best.cost);
-  }
-  LVSM_CHECK_TALLY(tally);
+    LVSM_CHECK_TALLY(tally);
 }
 
-TEST_CASE_TEMPLATE("two peaks are parted halfway", T, float, double) {
-  std::vector<T> weights(64, T(0));
-  weights[8] = 3;
-  weights[40] = 1;
-  T splits[3];
-  OptimalOptions<T> options;
-  options.uniformShare = 0;
-  CHECK(optimalSplitsHistogram(weights.data(), 64, splits, 2, options));
-  CHECK(splits[1] == (T(8.5) + T(40.5)) / T(128));
+TEST_CASE_TEMPLATE("two peaks are parted halfway", T, float, double)
+{
+    std::vector<T> weights(64, T(0));
+    weights[8] = 3;
+    weights[40] = 1;
+    T splits[3];
+    OptimalOptions<T> options;
+    options.uniformShare = 0;
+    CHECK(optimalSplitsHistogram(weights.data(), 64, splits, 2, options));
+    CHECK(splits[1] == (T(8.5) + T(40.5)) / T(128));
 }
 
-TEST_CASE_TEMPLATE("a histogram without weight, and an image without edges, give uniform splits", T, float, double) {
-  const std::vector<T> weights(64, T(0));
-  const std::vector<T> flat(32 * 32, T(0.3));
-  for (const int layers : {1, 2, 4, 8, 16}) {
-    T splits[17], of[17];
-    CHECK(optimalSplitsHistogram(weights.data(), 64, splits, layers));
-    CHECK(optimalSplits(flat.data(), 32, 32, of, layers));
-    for (int i = 0; i <= layers; ++i) {
-      CHECK(std::abs(splits[i] - T(i) / T(layers)) < T(1e-6));
-      CHECK(std::abs(of[i] - T(i) / T(layers)) < T(1e-6));
+TEST_CASE_TEMPLATE("a histogram without weight, and an image without edges, give uniform splits", T, float, double)
+{
+    const std::vector<T> weights(64, T(0));
+    const std::vector<T> flat(32 * 32, T(0.3));
+    for (const int layers : {1, 2, 4, 8, 16})
+    {
+        T splits[17], of[17];
+        CHECK(optimalSplitsHistogram(weights.data(), 64, splits, layers));
+        CHECK(optimalSplits(flat.data(), 32, 32, of, layers));
+        for (int i = 0; i <= layers; ++i)
+        {
+            CHECK(std::abs(splits[i] - T(i) / T(layers)) < T(1e-6));
+            CHECK(std::abs(of[i] - T(i) / T(layers)) < T(1e-6));
+        }
     }
-  }
 }
 
-TEST_CASE("optimalSplits puts its splits between the depths that meet at edges") {
-  // Three planes in stripes, 0.2, 0.5 and 0.8; the two near ones touch both others.
-  std::vector<float> image(64 * 64);
-  for (std::size_t i = 0; i < image.size(); ++i) image[i] = 0.2f + 0.3f * static_cast<float>(i / 8 % 3);
-  float splits[4];
-  OptimalOptions<float> options;
-  options.uniformShare = 0;
-  const auto result = optimalSplits(image.data(), 64, 64, splits, 3, options);
-  CHECK(result);
-  CHECK(splits[1] == doctest::Approx(0.35).epsilon(0.01));
-  CHECK(splits[2] == doctest::Approx(0.65).epsilon(0.01));
-  CHECK(result.distortion < 1e-6f);
-}
-
-TEST_CASE("a sample of a large image places the splits as the whole image does") {
-  // Waves over steps of 37 texels, so that edges fall on every place of a run.
-  constexpr int kSize = 1024;
-  std::vector<float> image(kSize * kSize);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
-      const float wave = 0.2f * std::sin(0.02f * static_cast<float>(x)) * std::cos(0.013f * static_cast<float>(y));
-      image[static_cast<std::size_t>(y * kSize + x)] = 0.5f + wave + ((x / 37 + y / 51) % 4 == 0 ? 0.2f : 0.0f);
-    }
-  }
-  float splits[5];
-  CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4));
-  const float sampled = splits[2];
-  // Judged by all texels, they are kept.
-  OptimalOptions<float> all;
-  all.maxSamples = 0;
-  all.leastGain = 0.01f;
-  CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4, all).status == OptimalStatus::Kept);
-  // It was a sample: all texels give others.
-  all.leastGain = 0;
-  CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4, all));
-  CHECK(splits[2] != sampled);
-}
-
-TEST_CASE("a sample of a large image finds edges in any of its columns") {
-  constexpr int kSize = 1024;
-  for (int column = 16; column < kSize; column += 64) {
-    std::vector<float> image(kSize * kSize, 0.9f);
-    for (int y = 0; y < kSize; ++y) image[static_cast<std::size_t>(y * kSize + column)] = 0.8f;
-    float splits[3];
-    CHECK(optimalSplits(image.data(), kSize, kSize, splits, 2));
-    CHECK(splits[1] > 0.55f);
-  }
-}
-
-TEST_CASE("splits rise, and no layer is shorter than half the least cell") {
-  Random random(132);
-  Tally tally;
-  for (int i = 0; i < 300; ++i) {
-    std::vector<float> image(24 * 24);
-    const float centre = random.unit<float>();
-    for (float& depth : image) depth = centre + 0.01f * random.unit<float>();
+TEST_CASE("optimalSplits puts its splits between the depths that meet at edges")
+{
+    // Three planes in stripes, 0.2, 0.5 and 0.8; the two near ones touch both others.
+    std::vector<float> image(64 * 64);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = 0.2f + 0.3f * static_cast<float>(i / 8 % 3);
+    float splits[4];
     OptimalOptions<float> options;
-    options.uniformShare = 0.001f;
-    float splits[17];
-    const int layers = random.between(1, 16);
-    tally.claim(bool(optimalSplits(image.data(), 24, 24, splits, layers, options)), i);
-    for (int k = 0; k < layers; ++k) {
-      // A rounding of each split less than half of 1/64.
-      tally.claim(splits[k + 1] - splits[k] >= 1.0f / 128 - 1.2e-7f, layers, k, splits[k], splits[k + 1]);
-    }
-    tally.claim(splits[0] == 0 && splits[layers] == 1, layers);
-  }
-  LVSM_CHECK_TALLY(tally);
+    options.uniformShare = 0;
+    const auto result = optimalSplits(image.data(), 64, 64, splits, 3, options);
+    CHECK(result);
+    CHECK(splits[1] == doctest::Approx(0.35).epsilon(0.01));
+    CHECK(splits[2] == doctest::Approx(0.65).epsilon(0.01));
+    CHECK(result.distortion < 1e-6f);
 }
 
-TEST_CASE("hysteresis keeps the previous splits unless the new ones gain enough") {
-  std::vector<double> weights(128);
-  const auto peaks = [&](double first, double second) {
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      const double x = centre(i, weights.size());
-      weights[i] = std::exp(-400 * (x - first) * (x - first)) + std::exp(-400 * (x - second) * (x - second));
+TEST_CASE("a sample of a large image places the splits as the whole image does")
+{
+    // Waves over steps of 37 texels, so that edges fall on every place of a run.
+    constexpr int kSize = 1024;
+    std::vector<float> image(kSize * kSize);
+    for (int y = 0; y < kSize; ++y)
+    {
+        for (int x = 0; x < kSize; ++x)
+        {
+            const float wave =
+                0.2f * std::sin(0.02f * static_cast<float>(x)) * std::cos(0.013f * static_cast<float>(y));
+            image[static_cast<std::size_t>(y * kSize + x)] = 0.5f + wave + ((x / 37 + y / 51) % 4 == 0 ? 0.2f : 0.0f);
+        }
     }
-  };
-  double splits[3];
-  peaks(0.3, 0.7);
-  REQUIRE(optimalSplitsHistogram(weights.data(), 128, splits, 2));
-  const double before = splits[1];
-
-  OptimalOptions<double> options;
-  options.leastGain = 0.1;
-  peaks(0.31, 0.71);
-  const auto kept = optimalSplitsHistogram(weights.data(), 128, splits, 2, options);
-  CHECK(kept.status == OptimalStatus::Kept);
-  CHECK(bool(kept));
-  CHECK(splits[1] == before);
-
-  peaks(0.1, 0.5);
-  double fresh[3];
-  const auto optimum = optimalSplitsHistogram(weights.data(), 128, fresh, 2);
-  const auto moved = optimalSplitsHistogram(weights.data(), 128, splits, 2, options);
-  CHECK(moved.status == OptimalStatus::Optimal);
-  CHECK(splits[1] == fresh[1]);
-  CHECK(moved.distortion == optimum.distortion);
-
-  // What is no placement is replaced.
-  double broken[] = {0, 2, 1};
-  CHECK(optimalSplitsHistogram(weights.data(), 128, broken, 2, options).status == OptimalStatus::Optimal);
-  CHECK(broken[1] == fresh[1]);
+    float splits[5];
+    CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4));
+    const float sampled = splits[2];
+    // Judged by all texels, they are kept.
+    OptimalOptions<float> all;
+    all.maxSamples = 0;
+    all.leastGain = 0.01f;
+    CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4, all).status == OptimalStatus::Kept);
+    // It was a sample: all texels give others.
+    all.leastGain = 0;
+    CHECK(optimalSplits(image.data(), kSize, kSize, splits, 4, all));
+    CHECK(splits[2] != sampled);
 }
 
-TEST_CASE("what makes no sense is said, and the splits are left alone") {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float infinity = std::numeric_limits<float>::infinity();
-  std::vector<float> image(16, 0.5f);
-  float splits[17] = {-1};
-  using Status = OptimalStatus;
-  CHECK(optimalSplits<float>(nullptr, 4, 4, splits, 2).status == Status::NoImage);
-  CHECK(optimalSplits(image.data(), 0, 4, splits, 2).status == Status::NoImage);
-  CHECK(optimalSplits<float>(image.data(), 4, 4, nullptr, 2).status == Status::LayerCountOutOfRange);
-  CHECK(optimalSplits(image.data(), 4, 4, splits, 0).status == Status::LayerCountOutOfRange);
-  CHECK(optimalSplits(image.data(), 4, 4, splits, 17).status == Status::LayerCountOutOfRange);
-  CHECK(optimalSplitsHistogram<float>(nullptr, 4, splits, 2).status == Status::NoHistogram);
-  CHECK(optimalSplitsHistogram(image.data(), 1025, splits, 2).status == Status::NoHistogram);
-  for (const float bad : {nan, infinity, -infinity}) {
-    image[7] = bad;
-    CHECK(optimalSplits(image.data(), 4, 4, splits, 2).status == Status::DepthNotFinite);
+TEST_CASE("a sample of a large image finds edges in any of its columns")
+{
+    constexpr int kSize = 1024;
+    for (int column = 16; column < kSize; column += 64)
+    {
+        std::vector<float> image(kSize * kSize, 0.9f);
+        for (int y = 0; y < kSize; ++y)
+            image[static_cast<std::size_t>(y * kSize + column)] = 0.8f;
+        float splits[3];
+        CHECK(optimalSplits(image.data(), kSize, kSize, splits, 2));
+        CHECK(splits[1] > 0.55f);
+    }
+}
+
+TEST_CASE("splits rise, and no layer is shorter than half the least cell")
+{
+    Random random(132);
+    Tally tally;
+    for (int i = 0; i < 300; ++i)
+    {
+        std::vector<float> image(24 * 24);
+        const float centre = random.unit<float>();
+        for (float& depth : image)
+            depth = centre + 0.01f * random.unit<float>();
+        OptimalOptions<float> options;
+        options.uniformShare = 0.001f;
+        float splits[17];
+        const int layers = random.between(1, 16);
+        tally.claim(bool(optimalSplits(image.data(), 24, 24, splits, layers, options)), i);
+        for (int k = 0; k < layers; ++k)
+        {
+            // A rounding of each split less than half of 1/64.
+            tally.claim(splits[k + 1] - splits[k] >= 1.0f / 128 - 1.2e-7f, layers, k, splits[k], splits[k + 1]);
+        }
+        tally.claim(splits[0] == 0 && splits[layers] == 1, layers);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("hysteresis keeps the previous splits unless the new ones gain enough")
+{
+    std::vector<double> weights(128);
+    const auto peaks = [&](double first, double second)
+    {
+        for (std::size_t i = 0; i < weights.size(); ++i)
+        {
+            const double x = centre(i, weights.size());
+            weights[i] = std::exp(-400 * (x - first) * (x - first)) + std::exp(-400 * (x - second) * (x - second));
+        }
+    };
+    double splits[3];
+    peaks(0.3, 0.7);
+    REQUIRE(optimalSplitsHistogram(weights.data(), 128, splits, 2));
+    const double before = splits[1];
+
+    OptimalOptions<double> options;
+    options.leastGain = 0.1;
+    peaks(0.31, 0.71);
+    const auto kept = optimalSplitsHistogram(weights.data(), 128, splits, 2, options);
+    CHECK(kept.status == OptimalStatus::Kept);
+    CHECK(bool(kept));
+    CHECK(splits[1] == before);
+
+    peaks(0.1, 0.5);
+    double fresh[3];
+    const auto optimum = optimalSplitsHistogram(weights.data(), 128, fresh, 2);
+    const auto moved = optimalSplitsHistogram(weights.data(), 128, splits, 2, options);
+    CHECK(moved.status == OptimalStatus::Optimal);
+    CHECK(splits[1] == fresh[1]);
+    CHECK(moved.distortion == optimum.distortion);
+
+    // What is no placement is replaced.
+    double broken[] = {0, 2, 1};
+    CHECK(optimalSplitsHistogram(weights.data(), 128, broken, 2, options).status == OptimalStatus::Optimal);
+    CHECK(broken[1] == fresh[1]);
+}
+
+TEST_CASE("what makes no sense is said, and the splits are left alone")
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    std::vector<float> image(16, 0.5f);
+    float splits[17] = {-1};
+    using Status = OptimalStatus;
+    CHECK(optimalSplits<float>(nullptr, 4, 4, splits, 2).status == Status::NoImage);
+    CHECK(optimalSplits(image.data(), 0, 4, splits, 2).status == Status::NoImage);
+    CHECK(optimalSplits<float>(image.data(), 4, 4, nullptr, 2).status == Status::LayerCountOutOfRange);
+    CHECK(optimalSplits(image.data(), 4, 4, splits, 0).status == Status::LayerCountOutOfRange);
+    CHECK(optimalSplits(image.data(), 4, 4, splits, 17).status == Status::LayerCountOutOfRange);
+    CHECK(optimalSplitsHistogram<float>(nullptr, 4, splits, 2).status == Status::NoHistogram);
+    CHECK(optimalSplitsHistogram(image.data(), 1025, splits, 2).status == Status::NoHistogram);
+    for (const float bad : {nan, infinity, -infinity})
+    {
+        image[7] = bad;
+        CHECK(optimalSplits(image.data(), 4, 4, splits, 2).status == Status::DepthNotFinite);
+        CHECK(optimalSplitsHistogram(image.data(), 16, splits, 2).status == Status::WeightNotFinite);
+    }
+    image[7] = -1;
     CHECK(optimalSplitsHistogram(image.data(), 16, splits, 2).status == Status::WeightNotFinite);
-  }
-  image[7] = -1;
-  CHECK(optimalSplitsHistogram(image.data(), 16, splits, 2).status == Status::WeightNotFinite);
-  CHECK(splits[0] == -1);
-  for (int status = 0; status <= int(Status::WeightNotFinite); ++status) {
-    CHECK(std::string(describe(Status(status))) != "unknown status");
-  }
+    CHECK(splits[0] == -1);
+    for (int status = 0; status <= int(Status::WeightNotFinite); ++status)
+    {
+        CHECK(std::string(describe(Status(status))) != "unknown status");
+    }
 }
 
-TEST_CASE("more layers than bins leave the rest empty") {
-  const double weights[] = {1, 2};
-  double splits[5];
-  CHECK(optimalSplitsHistogram(weights, 2, splits, 4));
-  CHECK(splits[1] == 0.5);
-  CHECK(splits[2] == 1);
-  CHECK(splits[4] == 1);
+TEST_CASE("more layers than bins leave the rest empty")
+{
+    const double weights[] = {1, 2};
+    double splits[5];
+    CHECK(optimalSplitsHistogram(weights, 2, splits, 4));
+    CHECK(splits[1] == 0.5);
+    CHECK(splits[2] == 1);
+    CHECK(splits[4] == 1);
 }
 
-}  // namespace
-}  // namespace lvsm::unit
+} // namespace
+} // namespace lvsm::unit
