@@ -7,6 +7,7 @@
 #define LVSM_LLOYD_HPP
 
 #include "placement.hpp"
+#include "runs.hpp"
 
 #include <cstddef>
 
@@ -52,6 +53,7 @@ inline const char* describe(RelaxStatus status)
 /// further, in depth. minVariance, maxVariance: as occluderWeight takes them, in depth squared.
 /// splitsPerIteration: 2 moves them in turn as scheduledSplits says, anything else moves all.
 /// keepSplits: start from the given splits, such as those of the last frame, not from uniform ones.
+/// maxSamples: of an image, about so many neighbourhoods are read, spread evenly; 0 or less takes all.
 template <typename T>
 struct RelaxOptions
 {
@@ -61,6 +63,7 @@ struct RelaxOptions
     T maxVariance = T(0.25);
     int splitsPerIteration = 0;
     bool keepSplits = false;
+    int maxSamples = 0;
 };
 
 /// What a relaxation did. movement: the largest of the last round of iterations, in depth.
@@ -125,19 +128,18 @@ ClusterSums clusterOf(const OccluderHistogram& histogram, T before, T split, T b
 }
 
 // Fills the histogram from the 2x2 neighbourhoods of an image; momentsAt(offset) gives a texel's moments.
-// False where one is not finite.
+// False where one that is read is not finite.
 template <typename MomentsAt>
-bool gatherOccluders(OccluderHistogram& histogram, int width, int height, double minVariance, double maxVariance,
-                     const MomentsAt& momentsAt)
+bool gatherOccluders(OccluderHistogram& histogram, int width, int height, int maxSamples, double minVariance,
+                     double maxVariance, const MomentsAt& momentsAt)
 {
     const int columns = max(width - 1, 1);
     const int rows = max(height - 1, 1);
     const std::ptrdiff_t right = width > 1 ? 1 : 0;
     const std::ptrdiff_t below = height > 1 ? width : 0;
     double check = 0.0;
-    for (int y = 0; y < rows; ++y)
-    {
-        for (int x = 0; x < columns; ++x)
+    forEachRun(columns, rows, maxSamples, [&](int begin, int y, int count) {
+        for (int x = begin; x < begin + count; ++x)
         {
             const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + x;
             const glm::vec<2, double> moments =
@@ -148,7 +150,7 @@ bool gatherOccluders(OccluderHistogram& histogram, int width, int height, double
             if (weight > 0.0)
                 histogram.add(secondOccluder(moments), weight);
         }
-    }
+    });
     return check == 0.0;
 }
 
@@ -263,7 +265,7 @@ RelaxResult<T> relaxImage(bool hasImage, int width, int height, T* splits, int l
         return stop(RelaxStatus::SplitsNotIncreasing);
 
     OccluderHistogram histogram;
-    if (!gatherOccluders(histogram, width, height, static_cast<double>(options.minVariance),
+    if (!gatherOccluders(histogram, width, height, options.maxSamples, static_cast<double>(options.minVariance),
                          static_cast<double>(options.maxVariance), momentsAt))
         return stop(RelaxStatus::DepthNotFinite);
 

@@ -94,5 +94,6 @@
 #include "placement.hpp"
 #include "plane.hpp"
 #include "receiver.hpp"
+#include "runs.hpp"
 
 #endif

@@ -8,14 +8,12 @@
 #ifndef LVSM_OPTIMAL_HPP
 #define LVSM_OPTIMAL_HPP
 
-#include "config.hpp"
-
-#include <cstddef>
+#include "runs.hpp"
 
 namespace lvsm
 {
 
-// Most layers and histogram bins that optimalSplits takes. All its storage is on the stack, about 80 KiB.
+// Most layers and histogram bins that optimalSplits takes. All its storage is on the stack, about 120 KiB.
 constexpr int kMaxOptimalLayers = 16;
 constexpr int kMaxOptimalBins = 1024;
 
@@ -224,32 +222,21 @@ private:
 };
 
 // Adds up the weights of an image's depths, in runs of texels of a row: four times the standard deviation of each
-// texel's 2x2 neighbourhood. Of more texels than maxSamples one run of several is taken, at a place among them that
-// moves by the golden ratio, so that no pattern of the image is missed. False where a depth is not finite.
+// texel's 2x2 neighbourhood. False where a depth is not finite.
 template <typename T>
 bool weighDepths(const T* depths, int width, int height, int maxSamples, double* weights)
 {
     using glm::sqrt;
-    constexpr int kRun = 64;
-    const std::ptrdiff_t runsOfRow = (width + kRun - 1) / kRun;
-    const std::ptrdiff_t runs = runsOfRow * height;
-    const std::ptrdiff_t stride = maxSamples > 0 ? max<std::ptrdiff_t>(1, runs * kRun / maxSamples) : 1;
+    // Neighbours mostly share a bin: sums of their own do not wait for each other.
+    constexpr int kLanes = 4;
+    double lanes[kLanes][kMaxOptimalBins] = {};
     T variances[kRun];
     int bins[kRun];
     T above[kRun + 1];
     T below[kRun + 1];
-    double place = 0.0;
     bool isFinite = true;
-    for (std::ptrdiff_t first = 0; first < runs; first += stride)
-    {
-        place += 0.6180339887498949;
-        place -= place >= 1.0 ? 1.0 : 0.0;
-        const auto offset = static_cast<std::ptrdiff_t>(place * static_cast<double>(stride));
-        const std::ptrdiff_t run = min(first + offset, runs - 1);
-        const std::ptrdiff_t y = run / runsOfRow;
-        const int begin = static_cast<int>(run % runsOfRow) * kRun;
-        const int count = min(kRun, width - begin);
-        const T* row = depths + y * width + begin;
+    forEachRun(width, height, maxSamples, [&](int begin, int y, int count) {
+        const T* row = depths + static_cast<std::ptrdiff_t>(y) * width + begin;
         const T* next = y + 1 < height ? row + width : row;
         for (int i = 0; i < count; ++i)
         {
@@ -272,8 +259,11 @@ bool weighDepths(const T* depths, int width, int height, int maxSamples, double*
             bins[i] = min(static_cast<int>(above[i] * T(kMaxOptimalBins)), kMaxOptimalBins - 1);
         }
         for (int i = 0; i < count; ++i)
-            weights[bins[i]] += static_cast<double>(sqrt(variances[i]));
-    }
+            lanes[i % kLanes][bins[i]] += static_cast<double>(sqrt(variances[i]));
+    });
+    for (const auto& lane : lanes)
+        for (int bin = 0; bin < kMaxOptimalBins; ++bin)
+            weights[bin] += lane[bin];
     return isFinite;
 }
 

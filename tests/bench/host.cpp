@@ -24,7 +24,9 @@ using Splits = std::array<float, kMaxLayers + 1>;
 Depths makeDepths()
 {
     std::mt19937 random(1);
-    const auto between = [&random](int low, int high) { return low + static_cast<int>(random() % unsigned(high - low)); };
+    const auto between = [&random](int low, int high) {
+        return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
+    };
     Depths depths(kTexels);
     for (std::size_t i = 0; i < kTexels; ++i)
         depths[i] = 0.9f - 0.1f * static_cast<float>(i / kSize) / kSize;
@@ -118,6 +120,11 @@ void timeBesideRead(benchmark::State& state, const Place& place)
     state.counters["of_bandwidth"] = reading / placing;
 }
 
+double shareSampled(int maxSamples)
+{
+    return maxSamples > 0 ? std::min(1.0, double(maxSamples) / double(kTexels)) : 1.0;
+}
+
 // Layers, and maxSamples; 0 takes all texels.
 void optimalSplits(benchmark::State& state)
 {
@@ -127,17 +134,18 @@ void optimalSplits(benchmark::State& state)
     timeBesideRead(state, [&](const float* depths, float* splits) {
         return bool(lvsm::optimalSplits(depths, kSize, kSize, splits, layerCount, options));
     });
-    state.counters["share_sampled"] =
-        options.maxSamples > 0 ? std::min(1.0, double(options.maxSamples) / double(kTexels)) : 1.0;
+    state.counters["share_sampled"] = shareSampled(options.maxSamples);
 }
 
 void lloydRelax(benchmark::State& state)
 {
     const int layerCount = static_cast<int>(state.range(0));
+    lvsm::RelaxOptions<float> options;
+    options.maxSamples = static_cast<int>(state.range(1));
     timeBesideRead(state, [&](const float* depths, float* splits) {
-        return bool(lvsm::lloydRelax(depths, kSize, kSize, splits, layerCount));
+        return bool(lvsm::lloydRelax(depths, kSize, kSize, splits, layerCount, options));
     });
-    state.counters["share_sampled"] = 1.0;
+    state.counters["share_sampled"] = shareSampled(options.maxSamples);
 }
 
 void optimalSplitsHistogram(benchmark::State& state)
@@ -166,7 +174,12 @@ BENCHMARK(optimalSplits)
     ->Args({4, 0})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(lloydRelax)->ArgName("layers")->Arg(4)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(lloydRelax)
+    ->ArgNames({"layers", "samples"})
+    ->Args({4, kDefaultSamples})
+    ->Args({4, 0})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(optimalSplitsHistogram)->ArgName("layers")->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 
 } // namespace
