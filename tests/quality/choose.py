@@ -1,0 +1,327 @@
+#!/usr/bin/env python3
+"""Fails where docs/choose.md and choose.svg are not what its errors and the recorded costs make; --write makes them so.
+
+The errors are those of the table in choose.md itself, or with --quality those of a run of lvsm_quality."""
+import argparse
+import json
+import math
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs/choose.md"
+PICTURE = ROOT / "docs/choose.svg"
+COSTS = ROOT / "tests/cost/recorded.json"
+ESTIMATES = ROOT / "tests/cost/estimates.def"
+TARGET = "GFX1100"
+BUDGETS = [32, 64, 128, 256]
+SCENES = ["foliage", "fence", "stack", "slanted", "bunnies", "herd", "machine", "trees", "street"]
+MEAN = "mesh mean"
+HEADER = ["technique", "whose", "bits", *SCENES, MEAN, "instr.", "inv. thr.", "with loads", "fetches", "front"]
+SECTIONS = ["table", "bits", "cost"]
+
+# The whole estimate in tests/cost/estimates.def that a technique is judged by: what stores fewer bits or is placed
+# otherwise runs the same instructions. A technique that matches nothing here has no cost.
+ESTIMATE_OF = [
+    (r"VSM r.*", "VSM"),
+    (r"EVSM([24]) .*", r"EVSM\1"),
+    (r"ESM .*", "ESM"),
+    (r"CSM-(\d+) .*", r"CSM \1 terms"),
+    (r"MSM4 rgba32f", "MSM4"),
+    (r"MSM4 rgba32f, 4 taps", "MSM4 4 taps"),
+    (r"MSM4 unorm(8|16)", "MSM4 16-bit"),
+    (r"MSM4 unorm16, 4 taps", "MSM4 16-bit 4 taps"),
+    (r"MSM4 x 2 layers .*", "MSM4 x 2 16-bit"),
+    (r"MSM4 x 4 layers .*", "MSM4 x N 16-bit"),
+    (r"LVSM-\d+ .* paper, uniform", "LVSM one placed layer"),
+    (r"LVSM-2 unorm16 bracketed, uniform", "LVSM-2 bracketed"),
+    (r"LVSM-2 unorm16 bracketed, optimal", "LVSM-2 bracketed and placed"),
+    (r"LVSM-2 unorm16 bounded, uniform", "LVSM-2 bounded"),
+    (r"LVSM-2 unorm8 (bracketed|bounded), uniform", r"LVSM-2 \1 8-bit"),
+    (r"LVSM-2 unorm8 plane, (uniform|optimal)", "LVSM-2 plane 8-bit"),
+    (r"LVSM-2 unorm8 plane, optimal, 4 taps", "LVSM-2 plane 8-bit 4 taps"),
+    (r"LVSM-\d+ unorm16 bracketed, .*", "LVSM-N bracketed and placed"),
+    (r"LVSM-\d+ unorm16 bounded, .*", "LVSM-N bounded"),
+    (r"LVSM-\d+ unorm8 (bracketed|bounded), .*", r"LVSM-N \1 8-bit"),
+    (r"LVSM-\d+ unorm8 plane, (uniform|optimal)", "LVSM-N plane 8-bit"),
+    (r"LVSM-\d+ unorm8 plane, optimal, 4 taps", "LVSM-N plane 8-bit 4 taps"),
+]
+
+
+def estimate_of(technique):
+    for pattern, estimate in ESTIMATE_OF:
+        match = re.fullmatch(pattern, technique)
+        if match:
+            return match.expand(estimate)
+    return None
+
+
+def mean(values):
+    return sum(values) / len(values)
+
+
+def measured(path):
+    """Techniques with their errors, of the report that lvsm_quality wrote: a mesh world is the mean of its lights."""
+    techniques = {}
+    for row in json.loads(pathlib.Path(path).read_text()):
+        if row["bits"] > 0:
+            entry = techniques.setdefault(row["technique"], {"peer": row["peer"], "bits": row["bits"], "rows": []})
+            entry["rows"].append(row)
+    result = []
+    for name, entry in techniques.items():
+        errors = {scene: mean([row["rmse"] for row in entry["rows"] if row["scene"].split("-")[0] == scene])
+                  for scene in SCENES}
+        errors[MEAN] = mean([row["rmse"] for row in entry["rows"] if row["mesh"]])
+        errors = {scene: round(error, 4) for scene, error in errors.items()}
+        result.append({"name": name, "peer": entry["peer"], "bits": entry["bits"], "errors": errors})
+    return result
+
+
+def written(text):
+    """The same out of the table in choose.md."""
+    result = []
+    for line in re.findall(r"^\| .* \|$", section(text, "table"), re.MULTILINE)[1:]:
+        cells = dict(zip(HEADER, [cell.strip(" *") for cell in line.strip("|").split("|")]))
+        errors = {scene: float(cells[scene]) for scene in [*SCENES, MEAN]}
+        result.append({"name": cells["technique"], "peer": cells["whose"] == "peer", "bits": int(cells["bits"]),
+                       "errors": errors})
+    return result
+
+
+def add_costs(techniques):
+    rows = json.loads(COSTS.read_text())["rows"]
+    costs = {row["name"]: row for row in rows if row["target"] == TARGET}
+    fetches = dict(re.findall(r"^ESTIMATE\(([^,]+), (\d+),", ESTIMATES.read_text(), re.MULTILINE))
+    for technique in techniques:
+        estimate = estimate_of(technique["name"])
+        technique["cost"] = None
+        if estimate is None:
+            continue
+        if estimate not in fetches:
+            raise SystemExit(f"{ESTIMATES} has no estimate '{estimate}', which '{technique['name']}' is judged by")
+        row = costs[estimate]
+        technique["instructions"] = row["instructions"]
+        technique["arithmetic"] = row["inverse_throughput"]
+        technique["cost"] = row["inverse_throughput"] + row["load_inverse_throughput"]
+        technique["fetches"] = int(fetches[estimate])
+
+
+def dominated(technique, others, axes):
+    """Whether another is no worse on any axis and better on one."""
+    mine = [axis(technique) for axis in axes]
+    for other in others:
+        theirs = [axis(other) for axis in axes]
+        if theirs != mine and all(b <= a for a, b in zip(mine, theirs)):
+            return True
+    return False
+
+
+def error_of(technique):
+    return technique["errors"][MEAN]
+
+
+def bits_of(technique):
+    return technique["bits"]
+
+
+def cost_of(technique):
+    return technique["cost"]
+
+
+def mark_fronts(techniques):
+    costed = [t for t in techniques if t["cost"] is not None]
+    for technique in techniques:
+        technique["fronts"] = []
+        if not dominated(technique, techniques, [bits_of, error_of]):
+            technique["fronts"].append("bits")
+        if technique["cost"] is None:
+            continue
+        if not dominated(technique, costed, [cost_of, error_of]):
+            technique["fronts"].append("cost")
+        if not technique["fronts"] and not dominated(technique, costed, [bits_of, cost_of, error_of]):
+            technique["fronts"].append("bits and cost")
+
+
+def table(lines):
+    return "".join("| " + " | ".join(line) + " |\n" if i != 1 else "|" + "|".join(line) + "|\n"
+                   for i, line in enumerate(lines))
+
+
+def full_table(techniques):
+    lines = [HEADER, ["---"] * len(HEADER)]
+    for t in techniques:
+        cost = ["-"] * 4 if t["cost"] is None else [
+            str(t[key]) for key in ("instructions", "arithmetic", "cost", "fetches")]
+        name = f"**{t['name']}**" if t["fronts"] else t["name"]
+        lines.append([name, "peer" if t["peer"] else "ours", str(t["bits"]),
+                      *(f"{t['errors'][scene]:.4f}" for scene in [*SCENES, MEAN]), *cost, ", ".join(t["fronts"])])
+    return table(lines)
+
+
+def best(techniques):
+    return min(techniques, key=lambda t: (error_of(t), cost_of(t) or 0, bits_of(t), t["name"]), default=None)
+
+
+def shown(technique):
+    return "-" if technique is None else f"{technique['name']}: {error_of(technique):.4f}"
+
+
+def bits_table(techniques):
+    lines = [["bits at most", "least error", "least error of a peer", "least error with one sample"], ["---"] * 4]
+    for bits in BUDGETS:
+        within = [t for t in techniques if t["bits"] <= bits]
+        lines.append([str(bits), shown(best(within)), shown(best([t for t in within if t["peer"]])),
+                      shown(best([t for t in within if "taps" not in t["name"]]))])
+    return table(lines)
+
+
+def cost_table(techniques):
+    """A row for each cost at which some number of bits gets something better."""
+    costed = [t for t in techniques if t["cost"] is not None]
+    lines = [["cost at most", *(f"{bits} bits" for bits in BUDGETS)], ["---"] * (len(BUDGETS) + 1)]
+    previous = None
+    for cost in sorted({t["cost"] for t in costed}):
+        cells = [shown(best([t for t in costed if t["cost"] <= cost and t["bits"] <= bits])) for bits in BUDGETS]
+        if cells != previous:
+            lines.append([str(cost), *("same" if previous and cell == before else cell
+                                       for cell, before in zip(cells, previous or cells))])
+        previous = cells
+    return table(lines)
+
+
+# Colours that stay apart for the colour-blind, and as far from white as from black; shapes tell the same.
+STYLES = {32: ("#c05000", "circle"), 64: ("#0a80c0", "square"), 128: ("#0a9060", "triangle"),
+          256: ("#b86aa0", "diamond")}
+WIDTH, HEIGHT = 960, 620
+LEFT, RIGHT, TOP, BOTTOM = 70, 940, 40, 560
+COST_AXIS = (40.0, 1000.0)
+ERROR_AXIS = (0.035, 0.36)
+
+
+def place_x(cost):
+    return LEFT + (RIGHT - LEFT) * math.log(cost / COST_AXIS[0]) / math.log(COST_AXIS[1] / COST_AXIS[0])
+
+
+def place_y(error):
+    return BOTTOM - (BOTTOM - TOP) * math.log(error / ERROR_AXIS[0]) / math.log(ERROR_AXIS[1] / ERROR_AXIS[0])
+
+
+def mark(x, y, bits, peer):
+    colour, shape = STYLES[bits]
+    paint = f'stroke="{colour}" stroke-width="2" ' + ('class="hollow"' if peer else f'fill="{colour}"')
+    if shape == "circle":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" {paint}/>\n'
+    corners = {"square": [(-5, -5), (5, -5), (5, 5), (-5, 5)], "triangle": [(0, -6), (6, 5), (-6, 5)],
+               "diamond": [(0, -7), (7, 0), (0, 7), (-7, 0)]}[shape]
+    points = " ".join(f"{x + dx:.1f},{y + dy:.1f}" for dx, dy in corners)
+    return f'<polygon points="{points}" {paint}/>\n'
+
+
+def text(x, y, words, anchor="start", extra=""):
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{extra}>{words}</text>\n'
+
+
+def axes():
+    parts = ""
+    for cost in (50, 75, 100, 150, 200, 300, 500, 800):
+        x = place_x(cost)
+        parts += f'<line x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{BOTTOM}"/>\n' + text(x, BOTTOM + 18, cost, "middle")
+    for error in (0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2, 0.3):
+        y = place_y(error)
+        parts += f'<line x1="{LEFT}" x2="{RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>\n' + text(LEFT - 8, y + 4, error, "end")
+    parts += text((LEFT + RIGHT) / 2, BOTTOM + 42, f"inverse throughput on {TARGET}, loads included", "middle")
+    middle = (TOP + BOTTOM) / 2
+    return parts + text(18, middle, "RMSE, mean of the mesh scenes", "middle", f' transform="rotate(-90 18 {middle})"')
+
+
+def front_line(techniques, bits):
+    front = [t for t in techniques if t["bits"] <= bits]
+    front = sorted((t for t in front if not dominated(t, front, [cost_of, error_of])), key=cost_of)
+    path = f"M{place_x(cost_of(front[0])):.1f},{place_y(error_of(front[0])):.1f}"
+    for t in front[1:]:
+        path += f" H{place_x(cost_of(t)):.1f} V{place_y(error_of(t)):.1f}"
+    return f'<path d="{path} H{RIGHT}" fill="none" stroke="{STYLES[bits][0]}" stroke-width="1.5"/>\n'
+
+
+def legend():
+    parts = ""
+    for i, bits in enumerate(BUDGETS):
+        parts += mark(LEFT + 420 + 80 * i, 20, bits, False) + text(LEFT + 430 + 80 * i, 24, f"{bits} bits")
+    parts += mark(LEFT + 420 + 80 * 4, 20, 64, True) + text(LEFT + 430 + 80 * 4, 24, "hollow: peer")
+    return text(LEFT, 24, "Lines: least error at that cost with at most so many bits") + parts
+
+
+def labels(techniques):
+    """Names of those on a front, from the least error up, each at the first spot where it covers nothing."""
+    parts = ""
+    taken = [(place_x(cost_of(t)) - 7, place_y(error_of(t)) - 7, place_x(cost_of(t)) + 7, place_y(error_of(t)) + 7)
+             for t in techniques]
+    named = [t for t in techniques if t["fronts"]]
+    for t in sorted(named, key=lambda t: (error_of(t), t["name"])):
+        x, y = place_x(cost_of(t)), place_y(error_of(t))
+        words = t["name"]
+        width = 6.8 * len(words)
+        spots = [(x - 10, y + 4, "end"), (x - 2, y + 19, "end"), (x - 2, y + 19, "start"), (x, y + 19, "middle"),
+                 (x + 10, y - 9, "start"), (x + 10, y + 4, "start"), (x - 8, y - 9, "end")]
+        for tx, ty, anchor in spots:
+            begin = tx - {"start": 0, "middle": width / 2, "end": width}[anchor]
+            box = (begin, ty - 10, begin + width, ty + 3)
+            inside = box[0] > LEFT and box[2] < WIDTH and box[3] < BOTTOM
+            if inside and not any(box[0] < b[2] and b[0] < box[2] and box[1] < b[3] and b[1] < box[3] for b in taken):
+                taken.append(box)
+                parts += text(tx, ty, words, anchor)
+                break
+    return parts
+
+
+def picture(techniques):
+    costed = [t for t in techniques if t["cost"] is not None]
+    marks = "".join(mark(place_x(cost_of(t)), place_y(error_of(t)), t["bits"], t["peer"]) for t in costed)
+    fronts = "".join(front_line(costed, bits) for bits in BUDGETS)
+    return f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}">
+<title>Error against cost of every technique</title>
+<style>
+text {{ font: 12px sans-serif; fill: #222; stroke: #fff; stroke-width: 4px; paint-order: stroke; }}
+line {{ stroke: #ddd; }}
+.paper, .hollow {{ fill: #fff; }}
+@media (prefers-color-scheme: dark) {{
+  text {{ fill: #ddd; stroke: #111; }}
+  line {{ stroke: #333; }}
+  .paper, .hollow {{ fill: #111; }}
+}}
+</style>
+<rect class="paper" width="{WIDTH}" height="{HEIGHT}"/>
+{axes()}{fronts}{marks}{labels(costed)}{legend()}</svg>
+"""
+
+
+def section_pattern(name):
+    return re.compile(rf"(?<=<!-- {name} -->\n).*?(?=<!-- end -->)", re.DOTALL)
+
+
+def section(document, name):
+    return section_pattern(name).search(document).group()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quality", help="report of lvsm_quality; without it, the errors that choose.md has")
+    parser.add_argument("--write", action="store_true")
+    arguments = parser.parse_args()
+    document = DOCS.read_text()
+    techniques = measured(arguments.quality) if arguments.quality else written(document)
+    techniques.sort(key=lambda t: (t["bits"], error_of(t), t["name"]))
+    add_costs(techniques)
+    mark_fronts(techniques)
+    updated = document
+    for name, content in zip(SECTIONS, [full_table, bits_table, cost_table]):
+        updated = section_pattern(name).sub(lambda _: content(techniques), updated, count=1)
+    drawn = picture(techniques)
+    if arguments.write:
+        DOCS.write_text(updated)
+        PICTURE.write_text(drawn)
+    elif updated != document or not PICTURE.exists() or PICTURE.read_text() != drawn:
+        raise SystemExit(f"{DOCS} or {PICTURE.name} shows other figures; tests/quality/choose.py --write mends them")
+
+
+main()
