@@ -32,6 +32,7 @@ struct CommandLine
     std::string device;
     std::string output = "build/gallery";
     std::string report;
+    unsigned treeSeed = 11;
     bool validation = false;
 };
 
@@ -110,7 +111,7 @@ int makeGallery(const CommandLine& arguments)
     std::fprintf(stderr, "rendering on %s\n", device->name().device.c_str());
 
     PendingFolder folder(output);
-    const std::vector<Scene> scenes{makeBench(), makePlanes(),
+    const std::vector<Scene> scenes{makeBench(arguments.treeSeed), makePlanes(),
                                     makeFence(*model, fs::path(arguments.model).filename().string())};
     const auto sections = renderGallery(device->context(), scenes, arguments.gallery, folder.path());
     const auto verdicts = judge(sections);
@@ -146,6 +147,7 @@ int main(int argc, char** argv)
     app.add_option("--map-size", arguments.gallery.mapSize, "Texels along each side of the shadow map")
         ->check(CLI::Range(32, 8192))
         ->capture_default_str();
+    app.add_option("--tree", arguments.treeSeed, "Seed that the tree over the bench grows from")->capture_default_str();
     app.add_option("--device", arguments.device,
                    "Part of the Vulkan device's name (default: $LVSM_VULKAN_DEVICE, or Mesa's lavapipe)");
     app.add_option("--output", arguments.output, "Folder to write, replaced as a whole")

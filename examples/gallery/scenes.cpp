@@ -39,7 +39,7 @@ Scene makePlanes()
     return scene;
 }
 
-Scene makeBench()
+Scene makeBench(unsigned treeSeed)
 {
     const Box seat{{-0.9f, 0.5f, -0.24f}, {0.9f, 0.56f, 0.24f}};
     Scene scene;
@@ -52,7 +52,7 @@ Scene makeBench()
     addBox(scene.mesh, seat, kWood);
     addBenchLeg(scene.mesh, -0.7f);
     addBenchLeg(scene.mesh, 0.7f);
-    addTree(scene.mesh, {-1.1f, 0.0f, -1.7f});
+    addTree(scene.mesh, {-1.1f, 0.0f, -1.7f}, treeSeed);
     scene.camera = {{1.3f, 1.75f, 4.4f}, {-0.15f, 0.45f, 0.0f}, 32.0f};
     scene.focus = {{-3.1f, 0.0f, -3.0f}, {2.4f, 5.5f, 2.0f}};
     scene.lightDirection = glm::normalize(glm::vec3(0.12f, -1.0f, 0.34f));

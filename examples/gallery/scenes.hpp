@@ -42,8 +42,8 @@ struct Scene
 /// The paper's figure 2: plane A over plane B over the ground C.
 Scene makePlanes();
 
-/// The paper's figure 3: a tree over a bench over the ground.
-Scene makeBench();
+/// The paper's figure 3: a tree, grown from a seed, over a bench over the ground.
+Scene makeBench(unsigned treeSeed);
 
 /// A model on the ground behind a fence.
 Scene makeFence(const Mesh& model, const std::string& modelName);

@@ -20,7 +20,7 @@ constexpr float kLeafLength = 0.17f;
 class TreeBuilder
 {
 public:
-    explicit TreeBuilder(Mesh& mesh) : m_mesh(mesh) {}
+    TreeBuilder(Mesh& mesh, unsigned seed) : m_mesh(mesh), m_random(seed) {}
 
     void grow(glm::vec3 from, glm::vec3 direction, float length, float radius, int forks)
     {
@@ -68,14 +68,14 @@ private:
     }
 
     Mesh& m_mesh;
-    std::mt19937 m_random{11};
+    std::mt19937 m_random;
 };
 
 } // namespace
 
-void addTree(Mesh& mesh, glm::vec3 foot)
+void addTree(Mesh& mesh, glm::vec3 foot, unsigned seed)
 {
-    TreeBuilder(mesh).grow(foot, glm::normalize(glm::vec3(0.08f, 1.0f, 0.05f)), 1.9f, 0.15f, kForks);
+    TreeBuilder(mesh, seed).grow(foot, glm::normalize(glm::vec3(0.08f, 1.0f, 0.05f)), 1.9f, 0.15f, kForks);
 }
 
 } // namespace lvsm::gallery

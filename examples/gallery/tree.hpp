@@ -6,8 +6,8 @@
 namespace lvsm::gallery
 {
 
-/// A leafy tree with its trunk's foot at `foot`, always the same one.
-void addTree(Mesh& mesh, glm::vec3 foot);
+/// A leafy tree with its trunk's foot at `foot`; a seed always grows the same one.
+void addTree(Mesh& mesh, glm::vec3 foot, unsigned seed);
 
 } // namespace lvsm::gallery
 
