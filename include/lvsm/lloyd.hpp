@@ -50,7 +50,8 @@ inline const char* describe(RelaxStatus status)
 }
 
 /// How to relax. maxIterations: at most so many, less than 0 counts as 0. tolerance: converged when no split moves
-/// further, in depth. minVariance, maxVariance: as occluderWeight takes them, in depth squared.
+/// further, in depth. minVariance, maxVariance: as occluderWeight takes them, in depth squared; a minVariance such as
+/// 0.01 keeps the many small steps inside foliage from holding splits that large steps need.
 /// splitsPerIteration: 2 moves them in turn as scheduledSplits says, anything else moves all.
 /// keepSplits: start from the given splits, such as those of the last frame, not from uniform ones.
 /// maxSamples: of an image, about so many neighbourhoods are read, spread evenly; 0 or less takes all.

@@ -89,8 +89,12 @@ class Interval
 {
 public:
     Interval() = default;
-    // A constant, which a shader rounds to float.
-    constexpr explicit Interval(double value) : m_lo(floatBelow(value)), m_hi(floatAbove(value)) {}
+    // A constant, which a shader's compiler rounds to the nearest float.
+    constexpr explicit Interval(double value)
+        : m_lo(static_cast<float>(value) < value ? static_cast<float>(value) : value),
+          m_hi(static_cast<float>(value) > value ? static_cast<float>(value) : value)
+    {
+    }
     constexpr explicit Interval(int value) : m_lo(value), m_hi(value) {}
     constexpr Interval(double lo, double hi) : m_lo(lo), m_hi(hi) {}
 
@@ -137,13 +141,13 @@ private:
         return {lo > 0.0 && lo < tiny ? 0.0 : lo, hi < 0.0 && hi > -tiny ? 0.0 : hi};
     }
 
-    static constexpr double floatBelow(double x)
+    static double floatBelow(double x)
     {
         const float nearest = static_cast<float>(x);
         return static_cast<double>(nearest) > x ? std::nextafter(nearest, -HUGE_VALF) : nearest;
     }
 
-    static constexpr double floatAbove(double x)
+    static double floatAbove(double x)
     {
         const float nearest = static_cast<float>(x);
         return static_cast<double>(nearest) < x ? std::nextafter(nearest, HUGE_VALF) : nearest;
