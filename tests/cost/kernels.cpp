@@ -148,7 +148,8 @@ const float bias = 0.001;
 const float deviation = 1.2247449;
 const float contact = 0.15;
 #define texel(i) inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x + 1u + uint(i)]
-)" + kPlaneEstimates + R"(
+)" + kPlaneEstimates +
+           R"(
 void main()
 {
     float depth = inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].x;
@@ -172,8 +173,8 @@ std::vector<Kernel> functionKernels()
     {
         parity::Row loads = row;
         loads.function = "loads";
-        kernels.push_back({row.function, parity::glslKernel(row, kLibrary, true),
-                           parity::glslKernel(loads, kLibrary + std::string(kTotals) + loadFunction(row), true)});
+        kernels.push_back({row.function, parity::glslKernel(row, kLibrary),
+                           parity::glslKernel(loads, kLibrary + std::string(kTotals) + loadFunction(row))});
     }
     return kernels;
 }

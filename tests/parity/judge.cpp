@@ -23,12 +23,11 @@ bool isWithin(double answer, const Allowed& allowed)
 
 Judge::Judge(const Row& row) : m_row(row), m_components(componentCount(row.kind))
 {
-    for (const Words& words : domainInputs(row.domain))
-        m_inputs.push_back({words, false});
-    for (const Input& input : m_inputs)
-        allow(input.words);
-    for (const Words& words : hostileInputs())
-        m_inputs.push_back({words, true});
+    m_inputs = domainInputs(row.domain);
+    for (const Words& input : m_inputs)
+        allow(input);
+    const std::vector<Words> hostile = hostileInputs();
+    m_inputs.insert(m_inputs.end(), hostile.begin(), hostile.end());
 }
 
 void Judge::allow(const Words& words)
@@ -65,7 +64,8 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
     const std::size_t components = static_cast<std::size_t>(m_components);
     for (std::size_t i = 0; i < m_inputs.size(); ++i)
     {
-        Verdict& verdict = verdicts[m_inputs[i].hostile ? 1 : 0];
+        const bool hostile = i * components >= m_allowed.size();
+        Verdict& verdict = verdicts[hostile ? 1 : 0];
         ++verdict.inputs;
         for (std::size_t c = 0; c < components; ++c)
         {
@@ -73,7 +73,7 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
             const bool finite = std::isfinite(answer);
             bool accepted = finite && answer >= m_row.low && answer <= m_row.high;
             verdict.nonFinite += finite ? 0 : 1;
-            if (m_inputs[i].hostile)
+            if (hostile)
             {
                 const double excess = std::max(m_row.low - answer, answer - m_row.high);
                 if (!accepted && (excess > verdict.worstError || verdict.outside == 0))

@@ -11,12 +11,6 @@
 namespace parity
 {
 
-struct Input
-{
-    Words words;
-    bool hostile;
-};
-
 // What is allowed of one component of one result.
 struct Allowed
 {
@@ -50,7 +44,7 @@ class Judge
 public:
     explicit Judge(const Row& row);
 
-    const std::vector<Input>& inputs() const { return m_inputs; }
+    const std::vector<Words>& inputs() const { return m_inputs; }
 
     // Inputs whose decisions are too many to follow; only the range of their results is checked.
     std::size_t undecided() const { return m_undecided; }
@@ -63,8 +57,8 @@ private:
 
     const Row& m_row;
     int m_components;
-    std::vector<Input> m_inputs;
-    std::vector<Allowed> m_allowed;
+    std::vector<Words> m_inputs;    // those of the domain first
+    std::vector<Allowed> m_allowed; // for each component of the domain's
     std::size_t m_undecided = 0;
 };
 

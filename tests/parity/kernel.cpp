@@ -89,11 +89,10 @@ const char* const kCommonMacros = R"(
 
 } // namespace
 
-std::string glslKernel(const Row& row, const std::string& library, bool allowInclude)
+std::string glslKernel(const Row& row, const std::string& library)
 {
-    const std::string head =
-        allowInclude ? "#version 450\n#extension GL_GOOGLE_include_directive : require\n" : "#version 450\n";
-    return head + library + constants() + kCommonMacros + kGlslInterface + kBody + callStatement(row) + "}\n";
+    return "#version 450\n" + library + constants() + kCommonMacros + kGlslInterface + kBody + callStatement(row) +
+           "}\n";
 }
 
 std::string hlslKernel(const Row& row, const std::string& library)

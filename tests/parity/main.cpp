@@ -13,7 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 namespace
 {
@@ -67,7 +66,7 @@ std::string readFile(const std::filesystem::path& path)
     std::exit(1);
 }
 
-Shader compileGlslang(const Row& row, const Options& options, bool single)
+Shader compile(const Row& row, const Options& options, const std::string& compiler, bool single)
 {
     const bool glsl = options.language == "glsl";
     lvsm::support::ShaderOptions shaderOptions;
@@ -78,34 +77,12 @@ Shader compileGlslang(const Row& row, const Options& options, bool single)
     const std::string extension = glsl ? "glsl" : "hlsli";
     const std::string library = single ? kOtherMaxLayers + readFile(options.singleFolder + "/lvsm." + extension)
                                        : "#include \"lvsm/lvsm." + extension + "\"\n";
-    const std::string text = glsl ? glslKernel(row, library, !single) : hlslKernel(row, library);
-    const auto spirv = lvsm::support::compileShader(text, shaderOptions);
+    const std::string text = glsl ? glslKernel(row, library) : hlslKernel(row, library);
+    const auto spirv = compiler == "dxc" ? lvsm::support::compileWithDxc(options.dxc, text, shaderOptions)
+                                         : lvsm::support::compileShader(text, shaderOptions);
     if (!spirv)
-        fail("glslang on " + row.function + ":\n" + spirv.error());
-    return {"glslang", single ? "single" : "include", *spirv};
-}
-
-Shader compileDxc(const Row& row, const Options& options, bool single)
-{
-    const auto folder = std::filesystem::temp_directory_path() / ("lvsm_parity_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    const std::string input = (folder / "kernel.hlsl").string();
-    const std::string output = (folder / "kernel.spv").string();
-    const std::string library =
-        single ? kOtherMaxLayers + readFile(options.singleFolder + "/lvsm.hlsli") : "#include \"lvsm/lvsm.hlsli\"\n";
-    std::ofstream(input) << hlslKernel(row, library);
-    std::string command = "'" + options.dxc + "' -T cs_6_0 -E main -spirv -WX -fspv-target-env=vulkan1.1";
-    if (!single)
-        command += " -I '" + options.hlslFolder + "'";
-    command += " -Fo '" + output + "' '" + input + "'";
-    const int status = std::system(command.c_str());
-    const std::string bytes = status == 0 ? readFile(output) : "";
-    std::filesystem::remove_all(folder);
-    if (bytes.empty())
-        fail("dxc failed on " + row.function);
-    std::vector<std::uint32_t> spirv(bytes.size() / sizeof(std::uint32_t));
-    std::memcpy(spirv.data(), bytes.data(), bytes.size());
-    return {"dxc", single ? "single" : "include", spirv};
+        fail(compiler + " on " + row.function + ":\n" + spirv.error());
+    return {compiler, single ? "single" : "include", *spirv};
 }
 
 std::vector<Shader> compileAll(const Row& row, const Options& options)
@@ -113,9 +90,9 @@ std::vector<Shader> compileAll(const Row& row, const Options& options)
     std::vector<Shader> shaders;
     for (const bool single : {false, true})
     {
-        shaders.push_back(compileGlslang(row, options, single));
+        shaders.push_back(compile(row, options, "glslang", single));
         if (options.language == "hlsl" && !options.dxc.empty())
-            shaders.push_back(compileDxc(row, options, single));
+            shaders.push_back(compile(row, options, "dxc", single));
     }
     return shaders;
 }
@@ -123,9 +100,9 @@ std::vector<Shader> compileAll(const Row& row, const Options& options)
 std::vector<float> runOnHost(const Row& row, const Judge& judge)
 {
     std::vector<float> results;
-    for (const Input& input : judge.inputs())
+    for (const Words& input : judge.inputs())
     {
-        const Result<float> result = row.inFloat(input.words);
+        const Result<float> result = row.inFloat(input);
         results.insert(results.end(), result.begin(), result.end());
     }
     return results;
@@ -133,19 +110,17 @@ std::vector<float> runOnHost(const Row& row, const Judge& judge)
 
 std::vector<float> runOnDevice(VulkanDevice& device, const Judge& judge, const Shader& shader)
 {
-    std::vector<Words> words;
-    for (const Input& input : judge.inputs())
-        words.push_back(input.words);
+    const std::vector<Words>& inputs = judge.inputs();
     lvsm::support::ComputeJob job;
     job.spirv = &shader.spirv;
-    job.input = words.data();
-    job.inputBytes = words.size() * sizeof(Words);
-    job.outputBytes = words.size() * kResults * sizeof(float);
-    job.groupCount = static_cast<std::uint32_t>(words.size() / kGroupSize);
+    job.input = inputs.data();
+    job.inputBytes = inputs.size() * sizeof(Words);
+    job.outputBytes = inputs.size() * kResults * sizeof(float);
+    job.groupCount = static_cast<std::uint32_t>(inputs.size() / kGroupSize);
     const auto bytes = device.run(job);
     if (!bytes)
         fail(device.name().device + ": " + bytes.error());
-    std::vector<float> results(words.size() * kResults);
+    std::vector<float> results(inputs.size() * kResults);
     std::memcpy(results.data(), bytes->data(), bytes->size());
     return results;
 }
@@ -165,7 +140,7 @@ bool print(const Row& row, const Judge& judge, const Run& run)
         std::printf("%zu not finite, %zu outside", verdict.nonFinite, verdict.outside);
         if (verdict.domain != "hostile" || !verdict.passed())
             std::printf("; expected %.9g, got %.9g for (%s)", verdict.expected, verdict.answered,
-                        describeInput(judge.inputs()[verdict.worstInput].words).c_str());
+                        describeInput(judge.inputs()[verdict.worstInput]).c_str());
         std::printf("\n");
         passed = passed && verdict.passed();
     }

@@ -8,21 +8,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <unistd.h>
 
 namespace sampling
 {
 namespace
 {
-
-std::string readFile(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 [[noreturn]] void fail(const std::string& message)
 {
@@ -30,8 +20,8 @@ std::string readFile(const std::filesystem::path& path)
     std::exit(1);
 }
 
-std::vector<std::uint32_t> compileWithGlslang(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage,
-                                              const std::string& entryPoint, const std::string& macros)
+lvsm::support::ShaderOptions optionsOf(const Form& form, vk::ShaderStageFlagBits stage, const std::string& entryPoint,
+                                       const std::string& macros)
 {
     using lvsm::support::ShaderStage;
     lvsm::support::ShaderOptions options;
@@ -42,32 +32,7 @@ std::vector<std::uint32_t> compileWithGlslang(const Form& form, const std::strin
     options.entryPoint = entryPoint;
     options.preamble = macros;
     options.includeFolders = {form.isHlsl() ? form.hlslFolder : form.glslFolder};
-    const auto spirv = lvsm::support::compileShaderFile(path, options);
-    if (!spirv)
-        fail(spirv.error());
-    return *spirv;
-}
-
-std::vector<std::uint32_t> compileWithDxc(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage,
-                                          const std::string& entryPoint, const std::string& macros)
-{
-    const auto folder = std::filesystem::temp_directory_path() / ("lvsm_sampling_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    const std::string input = (folder / "shader.hlsl").string();
-    const std::string output = (folder / "shader.spv").string();
-    std::ofstream(input) << macros << "#include \"" << path << "\"\n";
-    const std::string profile = stage == vk::ShaderStageFlagBits::eCompute ? "cs_6_0" : "ps_6_0";
-    const std::string command = "'" + form.dxc + "' -T " + profile + " -E " + entryPoint +
-                                " -spirv -WX -fspv-target-env=vulkan1.1 -I '" + form.hlslFolder + "' -Fo '" + output +
-                                "' '" + input + "'";
-    const int status = std::system(command.c_str());
-    const std::string bytes = status == 0 ? readFile(output) : "";
-    std::filesystem::remove_all(folder);
-    if (bytes.empty())
-        fail("dxc failed on " + path);
-    std::vector<std::uint32_t> spirv(bytes.size() / sizeof(std::uint32_t));
-    std::memcpy(spirv.data(), bytes.data(), bytes.size());
-    return spirv;
+    return options;
 }
 
 } // namespace
@@ -75,8 +40,14 @@ std::vector<std::uint32_t> compileWithDxc(const Form& form, const std::string& p
 Shader compile(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage, const std::string& entryPoint,
                const std::string& macros)
 {
-    const auto compiler = form.name == "dxc" ? compileWithDxc : compileWithGlslang;
-    return {compiler(form, path, stage, entryPoint, macros), entryPoint};
+    lvsm::support::ShaderOptions options = optionsOf(form, stage, entryPoint, macros);
+    options.name = path;
+    const auto spirv = form.name == "dxc"
+                           ? lvsm::support::compileWithDxc(form.dxc, "#include \"" + path + "\"\n", options)
+                           : lvsm::support::compileShaderFile(path, options);
+    if (!spirv)
+        fail(spirv.error());
+    return {*spirv, entryPoint};
 }
 
 float Random::next()

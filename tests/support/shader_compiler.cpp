@@ -1,10 +1,14 @@
 #include "shader_compiler.hpp"
 
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <sstream>
+
+#include <unistd.h>
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -92,6 +96,20 @@ EShLanguage stageOf(ShaderStage stage)
     return EShLangCompute;
 }
 
+std::string dxcProfile(ShaderStage stage)
+{
+    switch (stage)
+    {
+    case ShaderStage::Vertex:
+        return "vs_6_0";
+    case ShaderStage::Fragment:
+        return "ps_6_0";
+    case ShaderStage::Compute:
+        break;
+    }
+    return "cs_6_0";
+}
+
 std::string fullPreamble(const ShaderOptions& options)
 {
     const bool needsExtension = options.language == ShaderLanguage::Glsl && !options.includeFolders.empty();
@@ -139,6 +157,29 @@ Result<std::vector<std::uint32_t>> compileShader(const std::string& text, const 
     spvOptions.disableOptimizer = !hlsl;
     std::vector<std::uint32_t> words;
     glslang::GlslangToSpv(*program.getIntermediate(stage), words, &spvOptions);
+    return words;
+}
+
+Result<std::vector<std::uint32_t>> compileWithDxc(const std::string& dxc, const std::string& text,
+                                                  const ShaderOptions& options)
+{
+    const fs::path folder = fs::temp_directory_path() / ("lvsm_dxc_" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    const std::string input = (folder / "shader.hlsl").string();
+    const std::string output = (folder / "shader.spv").string();
+    std::ofstream(input) << options.preamble << text;
+    std::string command = "'" + dxc + "' -T " + dxcProfile(options.stage) + " -E " + options.entryPoint +
+                          " -spirv -WX -fspv-target-env=vulkan1.1";
+    for (const std::string& include : options.includeFolders)
+        command += " -I '" + include + "'";
+    command += " -Fo '" + output + "' '" + input + "'";
+    const int status = std::system(command.c_str());
+    const auto bytes = status == 0 ? readFile(output) : std::nullopt;
+    fs::remove_all(folder);
+    if (!bytes || bytes->empty())
+        return Failure{"dxc failed on " + options.name};
+    std::vector<std::uint32_t> words(bytes->size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), bytes->data(), bytes->size());
     return words;
 }
 

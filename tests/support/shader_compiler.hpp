@@ -38,6 +38,11 @@ struct ShaderOptions
 /// Compiles GLSL or HLSL with glslang to SPIR-V for Vulkan 1.1; the error is the compiler's log.
 Result<std::vector<std::uint32_t>> compileShader(const std::string& text, const ShaderOptions& options);
 
+/// Compiles HLSL text with the command `dxc` to SPIR-V for Vulkan 1.1, warnings being errors. The command prints its own
+/// log; the error names the text.
+Result<std::vector<std::uint32_t>> compileWithDxc(const std::string& dxc, const std::string& text,
+                                                  const ShaderOptions& options);
+
 /// Compiles a file; its own folder comes first among the include folders.
 Result<std::vector<std::uint32_t>> compileShaderFile(const std::string& path, ShaderOptions options);
 
