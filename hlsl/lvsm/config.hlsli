@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
 // Settings and constants that every topic shares.
 #ifndef LVSM_CONFIG_HLSLI
 #define LVSM_CONFIG_HLSLI

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
 // lvsm: the maths of filterable shadow maps, the same in C++, GLSL and HLSL.
 //
 // Conventions, relied on everywhere

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
 // Bracketed layers judged relative to the receiver's plane: a slanted surface is neither its own shadow nor its own
 // variance.
 //
