@@ -1,5 +1,7 @@
-# Joins SOURCE and all that it includes into one file, OUTPUT, for pipelines that have no #include:
-#   cmake -D SOURCE=glsl/lvsm/lvsm.glsl -D OUTPUT=lvsm.glsl -D VERSION=0.1.0 -P cmake/single_file.cmake
+# Joins SOURCE and all that it includes into one file, OUTPUT, for pipelines that have no #include: all topics, or one
+# with what it needs.
+#   cmake -D SOURCE=glsl/lvsm/lvsm.glsl -D OUTPUT=lvsm_all.glsl -P cmake/single_file.cmake
+#   cmake -D SOURCE=glsl/lvsm/bracket.glsl -D OUTPUT=lvsm_bracket.glsl -P cmake/single_file.cmake
 # An include is looked up as a compiler does it: beside the including file, then in the folder that holds lvsm/.
 # A file is put in once, where it is first included; its guard stays, so a client may still mix both forms.
 cmake_minimum_required(VERSION 3.22)
@@ -17,6 +19,7 @@ function(join file)
   list(APPEND seen ${file})
   file(READ ${file} rest)
   string(REPLACE "${notice}" "" rest "${rest}")
+  string(REGEX REPLACE "// Needs: [^\n]*\n" "" rest "${rest}")
   get_filename_component(beside ${file} DIRECTORY)
   while(rest MATCHES "\n[ \t]*#[ \t]*include[ \t]+[\"<]([^\">]+)[\">][^\n]*")
     set(line "${CMAKE_MATCH_0}")
@@ -41,7 +44,10 @@ endfunction()
 
 # The licence's notice stands once, at the top.
 set(notice "// SPDX-License-Identifier: MIT\n// Copyright (c) 2026 lvsm contributors\n")
-set(joined "${notice}// ${name}: all of lvsm ${VERSION} in one file, generated from its topic files. Edit those, not this.\n")
+get_filename_component(source ${SOURCE} NAME)
+set(joined "${notice}// ${name}: lvsm's ${source} and all that it includes, joined. Paste it as it is, or include it.\n")
 set(seen "")
 join(${SOURCE})
+# What the manual includes is this file.
+string(REPLACE "#include \"lvsm/${source}\"" "#include \"${name}\"" joined "${joined}")
 file(WRITE ${OUTPUT} "${joined}")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, depth, moments, layers.
 // Bracketed layers: the neighbours of a layer tell how much of the filter window lies in front of it and behind it.
 //
 // The layers are contiguous, without overlap: a depth behind the split between two layers warps to 1 in the one in

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config.
 // Depth metrics: linear in light space, in [0,1], 0 at the light.
 // Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, section 5.
 #ifndef LVSM_DEPTH_GLSL

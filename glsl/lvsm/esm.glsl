@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, filter.
 // Exponential shadow maps: the depth test as e^(-c d) e^(c z), which filters linearly in its second factor.
 // Annen, Mertens, Seidel, Flerackers & Kautz, Exponential Shadow Maps, Graphics Interface 2008.
 //

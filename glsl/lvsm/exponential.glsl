@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, depth, moments.
 // Exponential variance shadow maps: moments of a positive and a negative exponential warp.
 // Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, section 7.
 #ifndef LVSM_EXPONENTIAL_GLSL

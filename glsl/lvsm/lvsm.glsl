@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: every topic.
 // lvsm: the maths of filterable shadow maps, the same in C++, GLSL and HLSL.
 //
 // Conventions, relied on everywhere
@@ -19,6 +20,8 @@
 //                not keep them; in C++ results keep to their ranges for these too.
 //   names        lvsm::chebyshevUpperBound in C++ is lvsm_chebyshevUpperBound in GLSL and HLSL, with the same
 //                parameters in the same order.
+//   files        one a topic. A file's third line names the others that it needs, in the order in which to paste them,
+//                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
 // filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds whole shaders that make
@@ -26,7 +29,7 @@
 //
 // GLSL
 //
-//   #include "lvsm.glsl"
+//   #include "lvsm/lvsm.glsl"
 //
 //   // Shadow pass: two layers in one texel of four components, cleared to (1, 1, 1, 1), then blurred.
 //   vec4 storeLayers(float depth, float splits[LVSM_MAX_LAYERS + 1], int even, float overlap)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: no other.
 // Settings and constants that every topic shares.
 #ifndef LVSM_CONFIG_HLSLI
 #define LVSM_CONFIG_HLSLI
+
+// Version of the library: 10000 times the major number, 100 times the minor one, and the patch.
+#define LVSM_VERSION 100
 
 // Settings. Define any of them before the first include.
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config.
 // Convolution shadow maps: the depth test as a Fourier series, whose terms in the occluder's depth filter linearly.
 // Annen, Mertens, Bekaert, Seidel & Kautz, Convolution Shadow Maps, Eurographics Symposium on Rendering 2007.
 //

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config.
 // Filter kernels: weights of separable blurs, pairs of taps that one bilinear fetch serves, and the head room of sums.
 #ifndef LVSM_FILTER_HLSLI
 #define LVSM_FILTER_HLSLI

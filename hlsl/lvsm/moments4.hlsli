@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, depth, moments, layers.
 // Moment shadow maps: four moments of depth and the sharp bound they give.
 // Peters & Klein, Moment Shadow Mapping, I3D 2015; Peters, Muenstermann, Wetzstein & Klein, Improved Moment Shadow Maps
 // for Translucent Occluders, Soft Shadows and Single Scattering, JCGT 6(1), 2017 (JCGT below).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, depth, moments, layers, bracket.
 // Bracketed layers judged relative to the receiver's plane: a slanted surface is neither its own shadow nor its own
 // variance.
 //

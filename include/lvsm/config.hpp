@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM.
 // Settings and constants that every topic shares.
 #ifndef LVSM_CONFIG_HPP
 #define LVSM_CONFIG_HPP
@@ -7,6 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/trigonometric.hpp>
+
+// Version of the library: 10000 times the major number, 100 times the minor one, and the patch.
+#define LVSM_VERSION 100
 
 // Settings. Define any of them before the first include.
 

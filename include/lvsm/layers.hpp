@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config, depth, moments.
 // Layered variance shadow maps: the depth range cut into layers, each with its own linear warp.
 // Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, sections 3.2 to 3.4 and 5.
 #ifndef LVSM_LAYERS_HPP

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config, depth, moments, placement, runs.
 // Placing the splits of a whole image on the host: the relaxation of placement.hpp, run to its end.
 // Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, sections 4 and 5.
 //

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config, depth.
 // Variance shadow maps: two moments of depth and the one-tailed Chebyshev bound.
 // Donnelly & Lauritzen, Variance Shadow Maps, I3D 2006; Lauritzen & McCool, Layered Variance Shadow Maps,
 // Graphics Interface 2008, section 3; Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3 (2007), chapter 8.

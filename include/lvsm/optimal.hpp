@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config, runs.
 // Placing the splits by dynamic programming, on the host: the best splits for bracketed layers, with no iterations.
 //
 // A bracketed layer is as exact as the depths inside it are alike. So the splits minimise the weighted mean square

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config, depth, moments.
 // Placing the splits by Lloyd relaxation on second occluders, one step at a time.
 // Lauritzen & McCool, Layered Variance Shadow Maps, Graphics Interface 2008, sections 4 and 5.
 //

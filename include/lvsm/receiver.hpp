@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config.
 // The receiver's slope: what keeps a slanted surface from shadowing itself over a filter window.
 //
 // All functions take the gradient of the receiver's depth over the texels of the map, (dz/dx, dz/dy), from

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config.
 // Which texels of an image the host functions read: all, or runs spread evenly over it.
 #ifndef LVSM_RUNS_HPP
 #define LVSM_RUNS_HPP

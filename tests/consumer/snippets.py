@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compiles the code that a document shows:  snippets.py DOCUMENT --single FOLDER --cxx COMPILER --dxc DXC
+"""Compiles the code that a document shows:  snippets.py DOCUMENT --include FOLDER... --cxx COMPILER --dxc DXC
 
 In Markdown the blocks fenced as ```cpp, ```glsl and ```hlsl; in an umbrella file those under a line `// C++`, `// GLSL`
 or `// HLSL`. C++ statements stand in a function, after the names of snippet_names.hpp; a shader gets a #version and an
@@ -50,15 +50,16 @@ def command(language, options, path, output):
         return [options.cxx, "-std=c++17", "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-variable",
                 f"-I{ROOT / 'include'}", *glm, path]
     if language == "glsl":
-        return [options.glslang, "-V", "-S", "frag", f"-I{ROOT / 'glsl'}", f"-I{options.single}", "-o", output, path]
-    return [options.dxc, "-T", "ps_6_0", "-E", "main", "-I", f"{ROOT / 'hlsl'}", "-I", options.single, "-Fo", output, path]
+        return [options.glslang, "-V", "-S", "frag", *[f"-I{folder}" for folder in options.include], "-o", output, path]
+    return [options.dxc, "-T", "ps_6_0", "-E", "main", *[word for folder in options.include for word in ("-I", folder)], "-Fo",
+            output, path]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("document", type=pathlib.Path)
     parser.add_argument("--languages", nargs="+", choices=LANGUAGES.values(), help="of which it must have a snippet")
-    parser.add_argument("--single", help="folder of the one-file versions")
+    parser.add_argument("--include", nargs="+", default=[], help="folders of shader files")
     parser.add_argument("--cxx", default="c++")
     parser.add_argument("--glm", default="/usr/include", help="include folder of GLM")
     parser.add_argument("--glslang", default="glslangValidator")

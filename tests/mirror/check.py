@@ -82,6 +82,14 @@ def check_shader(root, language, topic):
             yield f"{where}: {name} could collide with a client's name: it has no lvsm_ or LVSM_ in front"
 
 
+def check_needs(root):
+    """The third line of each file names the others that it needs."""
+    for path, folder in lvsm_api.files(root):
+        needed = "every topic" if path.stem == UMBRELLA else ", ".join(lvsm_api.needs(path, folder)) or "no other"
+        if f"// Needs: {needed}." not in path.read_text().splitlines()[:4]:
+            yield f"{path.relative_to(root)} is to say in its first lines:  // Needs: {needed}."
+
+
 def check_rows(root, public):
     path = pathlib.Path(root) / "tests/parity/functions.def"
     if not path.exists():
@@ -121,6 +129,7 @@ def differences(root):
     for language in ("GLSL", "HLSL"):
         for topic in sorted(topics(root, language)):
             yield from check_shader(root, language, topic)
+    yield from check_needs(root)
     yield from check_rows(root, public)
 
 

@@ -9,7 +9,8 @@ import tempfile
 
 import check
 
-HPP = """// A topic.
+HPP = """// Needs: no other.
+// A topic.
 #ifndef LVSM_DEPTH_HPP
 #define LVSM_DEPTH_HPP
 
@@ -51,7 +52,8 @@ void second(T* splits, const T* weights, int layerCount)
 #endif
 """
 
-GLSL = """// A topic.
+GLSL = """// Needs: no other.
+// A topic.
 #ifndef LVSM_DEPTH_GLSL
 #define LVSM_DEPTH_GLSL
 
@@ -74,7 +76,7 @@ void lvsm_second(inout float splits[LVSM_MAX_LAYERS + 1], float weights[LVSM_MAX
 #endif
 """
 
-UMBRELLA = "// All.\n#ifndef LVSM_LVSM_{0}\n#define LVSM_LVSM_{0}\n\n#include \"depth.{1}\"\n\n#endif\n"
+UMBRELLA = "// Needs: every topic.\n#ifndef LVSM_LVSM_{0}\n#define LVSM_LVSM_{0}\n\n#include \"depth.{1}\"\n\n#endif\n"
 
 FILES = {
     "include/lvsm/depth.hpp": HPP,
@@ -106,6 +108,9 @@ CASES = {
     "doc_missing_in_all": (None, "/// Changes splits in place.\n", "", "second has no /// comment"),
     "constant_changed": ("hlsl/lvsm/depth.hlsli", "65504.0", "65505.0", "LVSM_LARGEST_FP16 differs"),
     "constant_missing": ("glsl/lvsm/depth.glsl", "const float LVSM_LARGEST_FP16 = 65504.0;", "", "LVSM_LARGEST_FP16 differs"),
+    "needs_not_said": ("glsl/lvsm/depth.glsl", "// Needs: no other.\n", "", "depth.glsl is to say in its first lines"),
+    "needs_more_than_it_says": ("hlsl/lvsm/depth.hlsli", "#define LVSM_DEPTH_HLSLI", '#define LVSM_DEPTH_HLSLI\n#include "lvsm.hlsli"',
+                                "// Needs: lvsm."),
     "row_missing": ("tests/parity/functions.def", "FUNCTION(second, Splits)\n", "", "second has no row"),
     "row_without_function": ("tests/parity/functions.def", "second", "sceond", "a row for sceond"),
     "topic_file_missing": ("glsl/lvsm/depth.glsl", GLSL, None, "topic depth is missing in GLSL"),

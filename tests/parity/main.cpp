@@ -75,7 +75,7 @@ Shader compile(const Row& row, const Options& options, const std::string& compil
     if (!single)
         shaderOptions.includeFolders = {glsl ? options.glslFolder : options.hlslFolder};
     const std::string extension = glsl ? "glsl" : "hlsli";
-    const std::string library = single ? kOtherMaxLayers + readFile(options.singleFolder + "/lvsm." + extension)
+    const std::string library = single ? kOtherMaxLayers + readFile(options.singleFolder + "/lvsm_all." + extension)
                                        : "#include \"lvsm/lvsm." + extension + "\"\n";
     const std::string text = glsl ? glslKernel(row, library) : hlslKernel(row, library);
     const auto spirv = compiler == "dxc" ? lvsm::support::compileWithDxc(options.dxc, text, shaderOptions)
@@ -238,7 +238,7 @@ int main(int argc, char** argv)
         ->check(CLI::IsMember({"cpp", "glsl", "hlsl"}));
     app.add_option("--glsl", options.glslFolder, "folder that holds lvsm/lvsm.glsl");
     app.add_option("--hlsl", options.hlslFolder, "folder that holds lvsm/lvsm.hlsli");
-    app.add_option("--single", options.singleFolder, "folder of the one-file lvsm.glsl and lvsm.hlsli");
+    app.add_option("--single", options.singleFolder, "folder of the one-file lvsm_all.glsl and lvsm_all.hlsli");
     app.add_option("--dxc", options.dxc, "the DirectX Shader Compiler; without it HLSL is compiled by glslang alone");
     app.add_option("--report", options.report, "JSON file to write");
     app.add_option("--devices", options.devices, "parts of device names");

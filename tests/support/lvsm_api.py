@@ -35,6 +35,26 @@ def topics(root, language):
     return {path.stem for path in (pathlib.Path(root) / folder).glob("*" + suffix)}
 
 
+def files(root):
+    """Every file that users copy, with the folder lvsm that it lies in."""
+    for folder, _ in LANGUAGES.values():
+        for path in sorted((pathlib.Path(root) / folder).rglob("*.*")):
+            yield path, pathlib.Path(root) / folder
+
+
+def needs(path, folder):
+    """What a file includes and these include in turn, each after what it needs itself: the order in which to paste."""
+    found = []
+    for bracket, name in re.findall(r'^#include ([<"])([^>"]+)', path.read_text(), re.MULTILINE):
+        if bracket == "<":
+            found += ["GLM"] if name.startswith("glm/") else []
+            continue
+        included = (path.parent / name).resolve()
+        stem = included.relative_to(folder.resolve()).with_suffix("").as_posix()
+        found += ([] if stem == UMBRELLA else needs(included, folder)) + [stem]
+    return list(dict.fromkeys(found))
+
+
 def without_comments(text):
     return re.sub(r"//[^\n]*", "", text)
 

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, filter, passes/blur.
 #extension GL_GOOGLE_include_directive : require
 // One direction of a separable blur of a map, or of all slices of an array of maps, of 1 to 4 components.
 //

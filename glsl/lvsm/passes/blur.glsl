@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, filter.
 // One texel of a separable blur, for blur.comp and blur.frag.
 #ifndef LVSM_PASSES_BLUR_GLSL
 #define LVSM_PASSES_BLUR_GLSL

@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: lvsm, passes/store.
 #extension GL_GOOGLE_include_directive : require
 // Makes every slice of a map from one texture of unwarped depths, in [0,1] and 1 where there is no surface.
 //

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: lvsm.
 // What one texel of a map stores for a depth, for store.comp and store.frag: all layers of any technique from one
 // texture of unwarped depths.
 // Lauritzen & McCool, Layered Variance Shadow Maps, section 5, the second way to make the layers.

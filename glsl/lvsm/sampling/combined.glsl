@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, filter, esm, depth, moments, layers, pcf, receiver.
 // Reading shadow maps from textures that carry their sampler: OpenGL's way, and one of Vulkan's two.
 //
 // A map is filtered linearly, wraps by clamping to its edge, and its texture coordinates go from 0 to 1. What lies off

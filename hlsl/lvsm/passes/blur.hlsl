@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: config, filter.
 // One direction of a separable blur of maps of 1 to 4 components: entry points lvsm_blurCompute and lvsm_blurPixel.
 //
 // Run it twice, with direction (1, 0) from the map to a second one and with (0, 1) back: lvsm_blurCompute over groups

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
+// Needs: lvsm.
 // Makes a map from one texture of unwarped depths, in [0,1] and 1 where there is no surface: all layers of any
 // technique.
 // Lauritzen & McCool, Layered Variance Shadow Maps, section 5, the second way to make the layers.
