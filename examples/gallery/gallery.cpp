@@ -22,7 +22,7 @@ View viewOf(const Camera& camera)
 {
     glm::mat4 projection = glm::perspective(glm::radians(camera.fieldOfView), kAspect, 0.1f, 200.0f);
     projection[1][1] *= -1.0f; // Vulkan's y points down
-    return {projection * glm::lookAt(camera.eye, camera.target, {0, 1, 0}), camera.eye};
+    return {projection * glm::lookAt(camera.eye, camera.target, {0, 1, 0}), glm::vec4(camera.eye, 1)};
 }
 
 class Progress
@@ -51,9 +51,9 @@ public:
           m_shadowPass(gpu, "shadow.frag", {vk::Format::eR32Sfloat}, true),
           m_surfacePass(gpu, "surface.frag", {kVec4, kVec4, kVec4, kVec4}, false),
           m_exact(gpu, compile("exact.comp", support::ShaderStage::Compute),
-                  {Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
-                   Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageImage}),
-          m_progress(sceneCount * 2 * (techniques().size() + 1))
+                  bindingsOf({Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
+                              Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageImage})),
+          m_sampler(support::makeSampler(gpu)), m_progress(sceneCount * 2 * (techniques().size() + 1))
     {
         for (const Technique& technique : techniques())
         {
@@ -63,12 +63,13 @@ public:
 
     void render(const Scene& scene, std::vector<Section>& sections)
     {
-        const Buffer vertices = uploadMesh(m_gpu, scene.mesh);
-        const auto width = static_cast<std::uint32_t>(m_options.size * kSupersampling);
-        const auto height = static_cast<std::uint32_t>(static_cast<float>(m_options.size) / kAspect) * kSupersampling;
-        const std::vector<Image> surface = m_surfacePass.draw(vertices, viewOf(scene.camera), {width, height}, 0.0f);
-        Picture picture{static_cast<int>(width), static_cast<int>(height), readImage<glm::vec4>(m_gpu, surface[0]),
-                        readImage<glm::vec4>(m_gpu, surface[1]), readImage<glm::vec4>(m_gpu, surface[3])};
+        const Buffer vertices = support::makeBufferOf(m_gpu, scene.mesh);
+        const int width = m_options.size * kSupersampling;
+        const int height = static_cast<int>(static_cast<float>(m_options.size) / kAspect) * kSupersampling;
+        const std::vector<Texture> surface = m_surfacePass.draw(vertices, viewOf(scene.camera), {width, height}, 0.0f);
+        Picture picture{width, height, support::readTexels<glm::vec4>(m_gpu, surface[0]),
+                        support::readTexels<glm::vec4>(m_gpu, surface[1]),
+                        support::readTexels<glm::vec4>(m_gpu, surface[3])};
         for (const Light& light : makeLights(scene))
         {
             sections.push_back(renderLight(scene, light, vertices, surface, picture));
@@ -82,22 +83,22 @@ private:
         const Scene& scene;
         const Light& light;
         const Picture& picture;
-        const Image& positions;
+        const Texture& positions;
         const Buffer& lightBlock;
-        const Image& depthMap;
+        const Texture& depthMap;
         const std::vector<float>& depths;
         const Truth& truth;
         const std::vector<bool>& shielded;
     };
 
     Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices,
-                        const std::vector<Image>& surface, const Picture& picture)
+                        const std::vector<Texture>& surface, const Picture& picture)
     {
-        const Buffer lightBlock = makeUniform(m_gpu, light.block);
-        const auto mapSize = static_cast<std::uint32_t>(m_options.mapSize);
-        const View lightView{light.block.viewProjection, glm::vec3(light.block.position)};
-        const std::vector<Image> maps = m_shadowPass.draw(vertices, lightView, {mapSize, mapSize}, 1.0f, &lightBlock);
-        const std::vector<float> depths = readImage<float>(m_gpu, maps[0]);
+        const Buffer lightBlock = support::makeBufferOf(m_gpu, std::vector{light.block});
+        const View lightView{light.block.viewProjection, light.block.position};
+        const std::vector<Texture> maps =
+            m_shadowPass.draw(vertices, lightView, {m_options.mapSize, m_options.mapSize}, 1.0f, &lightBlock);
+        const std::vector<float> depths = support::readTexels<float>(m_gpu, maps[0]);
         const Truth truth = exactVisibility(lightBlock, surface, maps[0]);
         const std::vector<bool> shielded =
             scene.shield ? shieldedGround(picture, truth, light, scene.shield->box) : std::vector<bool>();
@@ -128,7 +129,7 @@ private:
         row.shaded = fileOf("");
         row.errors = fileOf("-error");
         if (layered)
-            row.splits = placeSplits(subject.depths, subject.depthMap.extent, technique.layerCount);
+            row.splits = placeSplits(subject.depths, subject.depthMap.size, technique.layerCount);
 
         const TechniqueBlock block = parameters(technique, subject.light, row.splits);
         const auto visibility = runner.run(subject.lightBlock, block, subject.depthMap, subject.positions);
@@ -143,14 +144,16 @@ private:
         return row;
     }
 
-    Truth exactVisibility(const Buffer& lightBlock, const std::vector<Image>& surface, const Image& depthMap) const
+    Truth exactVisibility(const Buffer& lightBlock, const std::vector<Texture>& surface, const Texture& depthMap) const
     {
-        using Usage = vk::ImageUsageFlagBits;
-        const Image result = makeImage(m_gpu, kVec4, surface[0].extent, 1, Usage::eStorage | Usage::eTransferSrc);
-        m_exact.run({Uniform{lightBlock}, Sampled{surface[0]}, Sampled{surface[1]}, Sampled{surface[2]},
-                     Sampled{depthMap}, Storage{result}},
-                    result.extent);
-        return readImage<glm::vec4>(m_gpu, result);
+        using namespace support;
+        const Texture result = makeTexture(m_gpu, surface[0].size, kVec4);
+        runOver(m_exact,
+                {uniformAt(0, lightBlock), sampledAt(1, surface[0].array, m_sampler),
+                 sampledAt(2, surface[1].array, m_sampler), sampledAt(3, surface[2].array, m_sampler),
+                 sampledAt(4, depthMap.array, m_sampler), storageAt(5, result.array)},
+                result.size);
+        return support::readTexels<glm::vec4>(m_gpu, result);
     }
 
     static std::string fileName(const Scene& scene, const Light& light, const std::string& what)
@@ -166,6 +169,7 @@ private:
     RasterPass m_shadowPass;
     RasterPass m_surfacePass;
     Kernel m_exact;
+    vk::raii::Sampler m_sampler;
     std::vector<std::unique_ptr<TechniqueRunner>> m_runners;
     Progress m_progress;
 };

@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "gpu.hpp"
 #include "mesh.hpp"
+#include "shaders.hpp"
 
 namespace lvsm::gallery
 {
 
-/// The push constants of the raster shaders.
+/// The uniform block View of the raster shaders.
 struct View
 {
     glm::mat4 viewProjection;
-    glm::vec3 eye;
+    glm::vec4 eye;
 };
 
 /// Draws a mesh with a depth test into colour images of one size.
@@ -26,19 +26,14 @@ public:
                bool usesLight);
 
     /// Makes and fills one image for each format; `clear` is what a pixel without a surface holds, in all components.
-    std::vector<Image> draw(const Buffer& vertices, const View& view, vk::Extent2D extent, float clear,
-                            const Buffer* light = nullptr) const;
+    std::vector<Texture> draw(const Buffer& vertices, const View& view, const support::Shape& size, float clear,
+                              const Buffer* light = nullptr) const;
 
 private:
     const VulkanContext& m_gpu;
     std::vector<vk::Format> m_formats;
-    vk::raii::RenderPass m_renderPass;
-    vk::raii::DescriptorSetLayout m_setLayout;
-    vk::raii::PipelineLayout m_layout;
-    vk::raii::Pipeline m_pipeline;
+    support::Raster m_raster;
 };
-
-Buffer uploadMesh(const VulkanContext& gpu, const Mesh& mesh);
 
 } // namespace lvsm::gallery
 

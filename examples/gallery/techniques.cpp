@@ -26,7 +26,7 @@ constexpr float kLeastBleedingVariance = 0.01f;
 // The negative warp only has to smooth where the positive one fails, and is less exact for it.
 constexpr float kNegativeExponent = 10.0f;
 
-std::vector<std::uint32_t> compileStep(const Technique& technique, const std::string& step)
+support::Shader compileStep(const Technique& technique, const std::string& step)
 {
     const std::string text =
         "#version 450\n#include \"" + technique.shader + ".glsl\"\n#include \"" + step + ".glsl\"\n";
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> compileStep(const Technique& technique, const std::st
     return compileText(text, support::ShaderStage::Compute, preamble);
 }
 
-std::vector<std::uint32_t> compileBlur(const Technique& technique)
+support::Shader compileBlur(const Technique& technique)
 {
     const std::string preamble = "#define STORAGE_FORMAT " + technique.qualifier + "\n";
     return compile("blur.comp", support::ShaderStage::Compute, preamble);
@@ -66,13 +66,12 @@ const std::vector<Technique>& techniques()
     return all;
 }
 
-std::vector<float> placeSplits(const std::vector<float>& depths, vk::Extent2D extent, int layerCount)
+std::vector<float> placeSplits(const std::vector<float>& depths, const support::Shape& size, int layerCount)
 {
     std::vector<float> splits(static_cast<std::size_t>(layerCount) + 1);
     RelaxOptions<float> options;
     options.minVariance = kLeastBleedingVariance;
-    const auto result = lloydRelax(depths.data(), static_cast<int>(extent.width), static_cast<int>(extent.height),
-                                   splits.data(), layerCount, options);
+    const auto result = lloydRelax(depths.data(), size.width, size.height, splits.data(), layerCount, options);
     if (!result)
         throw std::runtime_error(std::string("placing the layers: ") + describe(result.status));
     return splits;
@@ -95,41 +94,49 @@ TechniqueBlock parameters(const Technique& technique, const Light& light, const 
 
 TechniqueRunner::TechniqueRunner(const VulkanContext& gpu, const Technique& technique)
     : m_gpu(gpu), m_technique(technique),
-      m_encode(gpu, compileStep(technique, "encode"),
-               {Type::eUniformBuffer, Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eStorageImage}),
+      m_encode(
+          gpu, compileStep(technique, "encode"),
+          bindingsOf({Type::eUniformBuffer, Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eStorageImage})),
       m_receive(gpu, compileStep(technique, "receive"),
-                {Type::eUniformBuffer, Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
-                 Type::eStorageImage})
+                bindingsOf({Type::eUniformBuffer, Type::eUniformBuffer, Type::eCombinedImageSampler,
+                            Type::eCombinedImageSampler, Type::eStorageImage})),
+      m_sampler(support::makeSampler(gpu))
 {
     if (technique.filtered)
     {
-        m_blur.emplace(gpu, compileBlur(technique), std::vector{Type::eCombinedImageSampler, Type::eStorageImage},
-                       static_cast<std::uint32_t>(sizeof(glm::ivec2)));
+        m_blur.emplace(gpu, compileBlur(technique),
+                       bindingsOf({Type::eCombinedImageSampler, Type::eStorageImage, Type::eUniformBuffer}));
     }
 }
 
-std::vector<glm::vec2> TechniqueRunner::run(const Buffer& light, const TechniqueBlock& block, const Image& depthMap,
-                                            const Image& positions) const
+std::vector<glm::vec2> TechniqueRunner::run(const Buffer& light, const TechniqueBlock& block, const Texture& depthMap,
+                                            const Texture& positions) const
 {
-    using Usage = vk::ImageUsageFlagBits;
-    const Buffer uniforms = makeUniform(m_gpu, block);
-    const std::uint32_t texels = m_technique.texels;
-    const vk::Extent2D extent = depthMap.extent;
-    const Image stored = makeImage(m_gpu, m_technique.format, extent, texels, Usage::eSampled | Usage::eStorage);
-    m_encode.run({Uniform{light}, Uniform{uniforms}, Sampled{depthMap}, Storage{stored}}, extent, texels);
+    using namespace support;
+    const Buffer uniforms = makeBufferOf(m_gpu, std::vector{block});
+    const int texels = m_technique.texels;
+    const Shape size{depthMap.size.width, depthMap.size.height, texels};
+    const Texture stored = makeTexture(m_gpu, size, m_technique.format);
+    runOver(m_encode,
+            {uniformAt(0, light), uniformAt(1, uniforms), sampledAt(2, depthMap.array, m_sampler),
+             storageAt(3, stored.array)},
+            size, texels);
     if (m_blur)
     {
-        const Image halfway = makeImage(m_gpu, m_technique.format, extent, texels, Usage::eSampled | Usage::eStorage);
-        const glm::ivec2 rows(1, 0);
-        const glm::ivec2 columns(0, 1);
-        m_blur->run({Sampled{stored}, Storage{halfway}}, extent, texels, &rows);
-        m_blur->run({Sampled{halfway}, Storage{stored}}, extent, texels, &columns);
+        const Texture halfway = makeTexture(m_gpu, size, m_technique.format);
+        const Buffer rows = makeBufferOf(m_gpu, std::vector{glm::ivec4(1, 0, 0, 0)});
+        const Buffer columns = makeBufferOf(m_gpu, std::vector{glm::ivec4(0, 1, 0, 0)});
+        runOver(*m_blur, {sampledAt(0, stored.array, m_sampler), storageAt(1, halfway.array), uniformAt(2, rows)}, size,
+                texels);
+        runOver(*m_blur, {sampledAt(0, halfway.array, m_sampler), storageAt(1, stored.array), uniformAt(2, columns)},
+                size, texels);
     }
-    const Image result =
-        makeImage(m_gpu, vk::Format::eR32G32Sfloat, positions.extent, 1, Usage::eStorage | Usage::eTransferSrc);
-    m_receive.run({Uniform{light}, Uniform{uniforms}, Sampled{stored}, Sampled{positions}, Storage{result}},
-                  positions.extent);
-    return readImage<glm::vec2>(m_gpu, result);
+    const Texture result = makeTexture(m_gpu, positions.size, vk::Format::eR32G32Sfloat);
+    runOver(m_receive,
+            {uniformAt(0, light), uniformAt(1, uniforms), sampledAt(2, stored.array, m_sampler),
+             sampledAt(3, positions.array, m_sampler), storageAt(4, result.array)},
+            result.size);
+    return readTexels<glm::vec2>(m_gpu, result);
 }
 
 } // namespace lvsm::gallery

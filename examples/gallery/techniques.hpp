@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu.hpp"
 #include "light.hpp"
+#include "shaders.hpp"
 
 namespace lvsm::gallery
 {
@@ -37,7 +37,7 @@ struct Technique
     vk::Format format;
     /// The same format as a GLSL layout qualifier.
     std::string qualifier;
-    std::uint32_t texels;
+    int texels;
     /// The shader that encodes and receives.
     std::string shader;
     bool filtered;
@@ -47,7 +47,7 @@ struct Technique
 const std::vector<Technique>& techniques();
 
 /// The splits that Lloyd relaxation places for a depth map; throws where it refuses the map.
-std::vector<float> placeSplits(const std::vector<float>& depths, vk::Extent2D extent, int layerCount);
+std::vector<float> placeSplits(const std::vector<float>& depths, const support::Shape& size, int layerCount);
 
 /// What the technique's shader needs for this light.
 TechniqueBlock parameters(const Technique& technique, const Light& light, const std::vector<float>& splits);
@@ -60,8 +60,8 @@ public:
 
     /// Stores and blurs the depth map as the technique does and evaluates it for the camera's picture:
     /// visibility and layer for each pixel of `positions`, layer -1 where the map does not reach.
-    std::vector<glm::vec2> run(const Buffer& light, const TechniqueBlock& block, const Image& depthMap,
-                               const Image& positions) const;
+    std::vector<glm::vec2> run(const Buffer& light, const TechniqueBlock& block, const Texture& depthMap,
+                               const Texture& positions) const;
 
 private:
     const VulkanContext& m_gpu;
@@ -69,6 +69,7 @@ private:
     Kernel m_encode;
     std::optional<Kernel> m_blur;
     Kernel m_receive;
+    vk::raii::Sampler m_sampler;
 };
 
 } // namespace lvsm::gallery

@@ -2,14 +2,14 @@
 #ifndef LVSM_SAMPLING_CHECKS_HPP
 #define LVSM_SAMPLING_CHECKS_HPP
 
-#include "gpu.hpp"
-
-#include <vulkan_device.hpp>
+#include <gpu.hpp>
 
 #include <string>
 
 namespace sampling
 {
+
+using namespace lvsm::support;
 
 // How a shader is written and compiled.
 struct Form

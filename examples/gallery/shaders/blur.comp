@@ -5,7 +5,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = 0, binding = 0) uniform sampler2DArray source;
 layout(set = 0, binding = 1, STORAGE_FORMAT) uniform writeonly image2DArray target;
-layout(push_constant) uniform Pass { ivec2 along; };
+layout(set = 0, binding = 2) uniform Pass { ivec2 along; };
 
 void main()
 {

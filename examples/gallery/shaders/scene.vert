@@ -1,6 +1,10 @@
 #version 450
 
-layout(push_constant) uniform View { mat4 viewProjection; };
+layout(set = 0, binding = 1) uniform View
+{
+    mat4 viewProjection;
+    vec4 eye;
+} view;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -16,7 +20,7 @@ layout(location = 4) out float objectNumber;
 
 void main()
 {
-    gl_Position = viewProjection * vec4(position, 1.0);
+    gl_Position = view.viewProjection * vec4(position, 1.0);
     worldPosition = position;
     worldNormal = normal;
     worldFaceNormal = faceNormal;

@@ -1,6 +1,10 @@
 #version 450
 
-layout(push_constant) uniform View { layout(offset = 64) vec3 eye; };
+layout(set = 0, binding = 1) uniform View
+{
+    mat4 viewProjection;
+    vec4 eye;
+} view;
 
 layout(location = 0) in vec3 worldPosition;
 layout(location = 1) in vec3 worldNormal;
@@ -16,7 +20,7 @@ layout(location = 3) out vec4 colour;
 void main()
 {
     // Thin surfaces are seen from both sides.
-    float side = dot(worldFaceNormal, eye - worldPosition) < 0.0 ? -1.0 : 1.0;
+    float side = dot(worldFaceNormal, view.eye.xyz - worldPosition) < 0.0 ? -1.0 : 1.0;
     positionAndObject = vec4(worldPosition, objectNumber);
     shadingNormal = vec4(normalize(worldNormal) * side, 0.0);
     planeNormal = vec4(normalize(worldFaceNormal) * side, 0.0);
