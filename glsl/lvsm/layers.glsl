@@ -9,7 +9,7 @@
 #include "moments.glsl"
 
 /// The warp that resolves one receiver perfectly: everything in front of the split is one occluder.
-/// depth, split: in [0,1]. Result: 0 below the split, 1 from the split on.
+/// depth, split: in [0,1]. Result in [0,1]: 0 below the split, 1 from the split on.
 /// Source: LVSM equation 5.
 float lvsm_stepWarp(float depth, float split)
 {

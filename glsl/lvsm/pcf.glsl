@@ -14,7 +14,7 @@
 
 /// Plain shadow test of one texel.
 /// occluder: depth in the map. depth: the receiver's, clamped to [0,1]. bias: what the receiver is moved towards the
-/// light, clamped to [-1,1]. Result: 1 where the receiver is not behind the occluder, else 0.
+/// light, clamped to [-1,1]. Result in [0,1]: 1 where the receiver is not behind the occluder, else 0.
 /// Source: Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978.
 float lvsm_depthTest(float occluder, float depth, float bias)
 {

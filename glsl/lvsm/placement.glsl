@@ -26,7 +26,7 @@ vec2 lvsm_neighbourhoodTexCoord(ivec2 texel, ivec2 size)
 }
 
 /// Moments of a 2x2 neighbourhood from four loads: what one bilinear sample between the texels gives.
-/// m00, m10, m01, m11: (M1, M2) of the four texels. Result: their average.
+/// m00, m10, m01, m11: (M1, M2) of the four texels. Result: their average, any number.
 /// Source: LVSM section 5.
 vec2 lvsm_neighbourhoodMoments(vec2 m00, vec2 m10, vec2 m01, vec2 m11)
 {
@@ -81,7 +81,7 @@ int lvsm_nearestSplit(float value, float splits[LVSM_MAX_LAYERS + 1], int layerC
 /// What one neighbourhood adds to the sums of the two splits that are being moved.
 /// value: second occluder, in [0,1]. weight: of the neighbourhood, >= 0. nearest: the split it belongs to.
 /// first, second: the two splits being moved.
-/// Result: (weight value, weight) for first in xy and for second in zw; 0 where it belongs to neither.
+/// Result: (weight value, weight) for first in xy and for second in zw, any number; 0 where it belongs to neither.
 /// Source: LVSM section 5.
 vec4 lvsm_accumulateSplits(float value, float weight, int nearest, int first, int second)
 {

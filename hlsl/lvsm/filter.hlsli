@@ -74,7 +74,7 @@ float lvsm_boxWeight(float offset, float width)
 /// Two neighbouring taps as one bilinear fetch.
 /// first, second: their weights, from 0 to 2^125, clamped to it.
 /// Result: the fetch's offset from the first tap's centre towards the second's, in [0,1] texels, and its weight, the
-/// sum of the two. Hardware that keeps 8 bits of the offset misplaces up to 2^-9 of the fetch's weight.
+/// sum of the two, in [0, 2^126]. Hardware that keeps 8 bits of the offset misplaces up to 2^-9 of that weight.
 /// Degenerate: two weights of 0 give (0, 0).
 /// Source: first a + second b = (first + second) mix(a, b, offset), solved for offset.
 float2 lvsm_linearPair(float first, float second)
@@ -114,7 +114,7 @@ float2 lvsm_gaussianTap(int index, int size, float sigma)
 
 /// How often a binomial sum with whole weights, not yet divided, holds its largest sample: head room for maxExponent.
 /// size: number of taps, from 1 to 65, clamped to it. dimensions: 1 for one pass of a separable blur, 2 for both before
-/// the division, from 1 to 3, clamped to it. Result: 2^((size - 1) dimensions), at most 2^126.
+/// the division, from 1 to 3, clamped to it. Result in [1, 2^126]: 2^((size - 1) dimensions).
 /// Source: the sum of a row of Pascal's triangle.
 float lvsm_binomialHeadRoom(int size, int dimensions)
 {

@@ -40,7 +40,7 @@ glm::vec<2, T, Q> exponentialWarp(T depth, const glm::vec<2, T, Q>& exponents)
 
 /// Moments to store for one depth: each warp and its square.
 /// depth: in [0,1], clamped to it. exponents: of the two warps, each clamped to [0, 43.3216].
-/// Result: (positive, positive^2, negative, negative^2), finite in fp32, in fp16 for exponents up to 5.545.
+/// Result: (positive, positive^2, negative, negative^2), in [-6.6e18, 4.3e37]; fp16 holds it up to exponents of 5.545.
 /// A texel without any surface stores depth 1; the clear colour is this function's result for it.
 /// Source: LVSM section 7.
 template <typename T, glm::qualifier Q>
@@ -65,7 +65,7 @@ T warpedMinVariance(T minVariance, T warped, T exponent)
 /// Variance floors in the two warped spaces that equal a global floor in depth: carried through each warp's slope.
 /// minVariance: the global floor in depth squared, >= 0, less counts as 0. depth: the receiver's, in [0,1].
 /// exponents: of the two warps, each clamped to [0, 43.3216].
-/// Result: (positive, negative), each (2 c w)^2 minVariance for a warp w, at most w^2.
+/// Result: (positive, negative), each in [0, 4.3e37]: (2 c w)^2 minVariance for a warp w, at most w^2.
 /// Source: first-order propagation through the slope of each warp of LVSM section 7, d/dx e^(c (2x - 1)) = 2 c w.
 template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> exponentialMinVariance(T minVariance, T depth, const glm::vec<2, T, Q>& exponents)

@@ -14,7 +14,7 @@ namespace lvsm
 {
 
 /// The warp that resolves one receiver perfectly: everything in front of the split is one occluder.
-/// depth, split: in [0,1]. Result: 0 below the split, 1 from the split on.
+/// depth, split: in [0,1]. Result in [0,1]: 0 below the split, 1 from the split on.
 /// Source: LVSM equation 5.
 template <typename T>
 T stepWarp(T depth, T split)

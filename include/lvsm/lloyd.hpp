@@ -6,6 +6,7 @@
 //
 // The neighbourhoods are sorted into a histogram of second occluders once, so that an iteration does not depend on the
 // image's size. Nothing is allocated: the splits live in the caller's array, for any number of layers.
+// On the host alone: no shader has it.
 #ifndef LVSM_LLOYD_HPP
 #define LVSM_LLOYD_HPP
 

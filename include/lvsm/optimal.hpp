@@ -8,6 +8,7 @@
 // optimum, which dynamic programming finds: nothing to start from, nothing to get stuck in.
 // Wang & Song, Ckmeans.1d.dp: Optimal k-means Clustering in One Dimension by Dynamic Programming, The R Journal 3(2),
 // 2011; the rows' optima rise with the bin, which divide and conquer uses: O(layers * bins * log bins).
+// On the host alone: no shader has it.
 #ifndef LVSM_OPTIMAL_HPP
 #define LVSM_OPTIMAL_HPP
 

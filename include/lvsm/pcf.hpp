@@ -17,7 +17,7 @@ namespace lvsm
 
 /// Plain shadow test of one texel.
 /// occluder: depth in the map. depth: the receiver's, clamped to [0,1]. bias: what the receiver is moved towards the
-/// light, clamped to [-1,1]. Result: 1 where the receiver is not behind the occluder, else 0.
+/// light, clamped to [-1,1]. Result in [0,1]: 1 where the receiver is not behind the occluder, else 0.
 /// Source: Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978.
 template <typename T>
 T depthTest(T occluder, T depth, T bias)

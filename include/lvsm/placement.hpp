@@ -36,7 +36,7 @@ glm::vec<2, T> neighbourhoodTexCoord(const glm::vec<2, int, Q>& texel, const glm
 }
 
 /// Moments of a 2x2 neighbourhood from four loads: what one bilinear sample between the texels gives.
-/// m00, m10, m01, m11: (M1, M2) of the four texels. Result: their average.
+/// m00, m10, m01, m11: (M1, M2) of the four texels. Result: their average, any number.
 /// Source: LVSM section 5.
 template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> neighbourhoodMoments(const glm::vec<2, T, Q>& m00, const glm::vec<2, T, Q>& m10,
@@ -100,7 +100,7 @@ int nearestSplit(T value, const T* splits, int layerCount)
 /// What one neighbourhood adds to the sums of the two splits that are being moved.
 /// value: second occluder, in [0,1]. weight: of the neighbourhood, >= 0. nearest: the split it belongs to.
 /// first, second: the two splits being moved.
-/// Result: (weight value, weight) for first in xy and for second in zw; 0 where it belongs to neither.
+/// Result: (weight value, weight) for first in xy and for second in zw, any number; 0 where it belongs to neither.
 /// Source: LVSM section 5.
 template <typename T>
 glm::vec<4, T> accumulateSplits(T value, T weight, int nearest, int first, int second)

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 lvsm contributors
 // Needs: GLM, config.
 // Which texels of an image the host functions read: all, or runs spread evenly over it.
+// On the host alone: no shader has it.
 #ifndef LVSM_RUNS_HPP
 #define LVSM_RUNS_HPP
 

@@ -24,7 +24,8 @@ using Splits = std::array<float, kMaxLayers + 1>;
 Depths makeDepths()
 {
     std::mt19937 random(1);
-    const auto between = [&random](int low, int high) {
+    const auto between = [&random](int low, int high)
+    {
         return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
     };
     Depths depths(kTexels);
@@ -131,9 +132,8 @@ void optimalSplits(benchmark::State& state)
     const int layerCount = static_cast<int>(state.range(0));
     lvsm::OptimalOptions<float> options;
     options.maxSamples = static_cast<int>(state.range(1));
-    timeBesideRead(state, [&](const float* depths, float* splits) {
-        return bool(lvsm::optimalSplits(depths, kSize, kSize, splits, layerCount, options));
-    });
+    timeBesideRead(state, [&](const float* depths, float* splits)
+                   { return bool(lvsm::optimalSplits(depths, kSize, kSize, splits, layerCount, options)); });
     state.counters["share_sampled"] = shareSampled(options.maxSamples);
 }
 
@@ -142,9 +142,8 @@ void lloydRelax(benchmark::State& state)
     const int layerCount = static_cast<int>(state.range(0));
     lvsm::RelaxOptions<float> options;
     options.maxSamples = static_cast<int>(state.range(1));
-    timeBesideRead(state, [&](const float* depths, float* splits) {
-        return bool(lvsm::lloydRelax(depths, kSize, kSize, splits, layerCount, options));
-    });
+    timeBesideRead(state, [&](const float* depths, float* splits)
+                   { return bool(lvsm::lloydRelax(depths, kSize, kSize, splits, layerCount, options)); });
     state.counters["share_sampled"] = shareSampled(options.maxSamples);
 }
 

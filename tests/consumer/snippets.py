@@ -8,6 +8,7 @@ empty main where it has none.
 import argparse
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -72,7 +73,11 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / f"snippet.{language}"
             path.write_text(program(language, code))
-            result = subprocess.run(command(language, options, str(path), folder + "/out"))
+            words = command(language, options, str(path), folder + "/out")
+            if not shutil.which(words[0]):
+                print(f"skipped: no {words[0]}")
+                return status or 77
+            result = subprocess.run(words)
         if result.returncode == 77:
             return 77
         if result.returncode != 0:

@@ -7,11 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 
 namespace
 {
@@ -103,14 +105,50 @@ void write(const std::string& path, const std::string& text)
     std::filesystem::rename(partial, path);
 }
 
-// One row a line, so that a change of one function is a change of one line for each target.
-std::string recordedText(const std::string& version, const std::vector<Cost>& costs)
+json readRecorded(const std::string& path)
 {
+    json recorded = json::parse(std::ifstream(path), nullptr, false);
+    if (recorded.is_discarded() || !recorded.contains("compiler") || !recorded.contains("rows"))
+        fail("cannot read " + path);
+    return recorded;
+}
+
+// Records the costs in place of those of the same targets. What is recorded for others stays, as far as there still is
+// such a function, and so it must come from the same compiler.
+void record(const std::string& version, const std::vector<Cost>& costs, const Options& options)
+{
+    json rows = rowsOf(costs);
+    if (std::filesystem::exists(options.recorded))
+    {
+        const json recorded = readRecorded(options.recorded);
+        if (recorded.at("compiler") != version)
+            fail(options.recorded + " holds " + std::to_string(recorded.at("rows").size()) + " figures of " +
+                 recorded.at("compiler").get<std::string>() + ", which do not compare with those of " + version +
+                 ": nothing is recorded. Record with the Mesa of packages.txt's Debian; to change over to this one, "
+                 "remove the file first, and say so in docs/cost.md.");
+        std::set<std::string> names;
+        for (const Cost& cost : costs)
+            names.insert(cost.name);
+        const auto& targets = options.targets;
+        for (const json& row : recorded.at("rows"))
+        {
+            if (std::find(targets.begin(), targets.end(), row.at("target")) == targets.end() &&
+                names.count(row.at("name")) > 0)
+                rows.push_back(row);
+        }
+    }
+    const std::vector<std::string> order = Options().targets;
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&order](const json& a, const json& b)
+                     {
+                         return std::find(order.begin(), order.end(), a.at("target")) <
+                                std::find(order.begin(), order.end(), b.at("target"));
+                     });
+    // One row a line, so that a change of one function is a change of one line for each target.
     std::string text = "{\n\"compiler\": " + json(version).dump() + ",\n\"rows\": [\n";
-    const json rows = rowsOf(costs);
     for (std::size_t i = 0; i < rows.size(); ++i)
         text += rows[i].dump() + (i + 1 < rows.size() ? ",\n" : "\n");
-    return text + "]\n}\n";
+    write(options.recorded, text + "]\n}\n");
 }
 
 // How many differences are failures: what has grown, what is not recorded, what is recorded but gone.
@@ -174,9 +212,7 @@ void printTable(const std::vector<Cost>& costs, const Options& options)
 // 0, or 1 where something has grown, or the status of a skip.
 int check(const std::string& version, const std::vector<Cost>& costs, const Options& options)
 {
-    const json recorded = json::parse(std::ifstream(options.recorded), nullptr, false);
-    if (recorded.is_discarded())
-        fail("cannot read " + options.recorded);
+    const json recorded = readRecorded(options.recorded);
     if (recorded.at("compiler") != version)
     {
         std::printf("skip: the figures recorded are those of %s, and this is %s\n",
@@ -185,8 +221,9 @@ int check(const std::string& version, const std::vector<Cost>& costs, const Opti
     }
     const int failures = compareWithRecorded(recorded, costs);
     if (failures > 0)
-        std::printf("%d failures. If they are meant, run lvsm_cost --record and commit %s with the change.\n", failures,
-                    options.recorded.c_str());
+        std::printf("%d failures. If they are meant, record them and commit that with the change:\n"
+                    "build/tests/cost/lvsm_cost --glsl glsl --recorded tests/cost/recorded.json --record\n",
+                    failures);
     return failures > 0 ? 1 : 0;
 }
 
@@ -219,7 +256,7 @@ int measure(const Options& options)
     if (!options.report.empty())
         write(options.report, rowsOf(costs).dump(1) + '\n');
     if (options.record)
-        write(options.recorded, recordedText(version, costs));
+        record(version, costs, options);
     return options.recorded.empty() || options.record ? 0 : check(version, costs, options);
 }
 
@@ -234,7 +271,7 @@ int main(int argc, char** argv)
     app.add_option("--report", options.report, "JSON file to write");
     CLI::Option* recorded =
         app.add_option("--recorded", options.recorded, "fail where a figure is more than 3% above this file's");
-    app.add_flag("--record", options.record, "write the figures to the file of --recorded instead")->needs(recorded);
+    app.add_flag("--record", options.record, "write the figures into the file of --recorded instead")->needs(recorded);
     CLI11_PARSE(app, argc, argv);
     return measure(options);
 }

@@ -1,4 +1,5 @@
-"""Runs one case: gallery_test.py CASE GALLERY PLACE_LAYERS. Exit status 77: no Vulkan device."""
+"""Runs one case: gallery_test.py CASE GALLERY PLACE_LAYERS. Exit status 77: no Vulkan device. Without arguments, lists
+the cases."""
 
 import html.parser
 import json
@@ -14,7 +15,11 @@ BITS = {"basic": 32, "vsm": 64, "lvsm2": 64, "lvsm4": 128, "evsm4": 128}
 OTHER_MODEL = "/usr/share/glmark2/models/horse.3ds"
 PNG = b"\x89PNG\r\n\x1a\n"
 
-gallery, place_layers = sys.argv[2:4]
+cases = {}
+
+
+def case(function):
+    cases[function.__name__] = function
 
 
 class Pictures(html.parser.HTMLParser):
@@ -55,6 +60,7 @@ def expect_refusal(folder, done, named):
     assert names_in(folder) == [], f"left behind: {names_in(folder)}"
 
 
+@case
 def bleedsInVsmAndNotInFourLayersOrExponential(folder):
     rows = render(folder)
     found = [(row["scene"], row["light"], row["technique"], row["bits"]) for row in rows]
@@ -75,6 +81,7 @@ def bleedsInVsmAndNotInFourLayersOrExponential(folder):
         assert (folder / "gallery" / name).read_bytes().startswith(PNG), name
 
 
+@case
 def exitStatusSaysThatBleedingIsNotShown(folder):
     # So coarse a map that the blur leaves no ground in the bench's full shadow.
     done = run_gallery(folder, "--map-size", "32")
@@ -84,15 +91,18 @@ def exitStatusSaysThatBleedingIsNotShown(folder):
     assert "does not hold" in (folder / "gallery/index.html").read_text()
 
 
+@case
 def rendersAnotherModel(folder):
     render(folder, OTHER_MODEL)
     assert "horse.3ds" in (folder / "gallery/index.html").read_text()
 
 
+@case
 def missingModelIsNamedAndNothingIsWritten(folder):
     expect_refusal(folder, run_gallery(folder, "/nowhere/teapot.obj"), "/nowhere/teapot.obj")
 
 
+@case
 def brokenModelIsNamedAndNothingIsWritten(folder):
     with tempfile.TemporaryDirectory() as models:
         broken = {
@@ -109,6 +119,7 @@ def brokenModelIsNamedAndNothingIsWritten(folder):
             expect_refusal(folder, run_gallery(folder, str(path)), str(path))
 
 
+@case
 def failureKeepsTheOldPage(folder):
     old = folder / "gallery/index.html"
     old.parent.mkdir()
@@ -117,11 +128,13 @@ def failureKeepsTheOldPage(folder):
     assert names_in(folder) == ["gallery", "gallery/index.html"] and old.read_text() == "old page"
 
 
+@case
 def missingDeviceIsNamedAndNothingIsWritten(folder):
     done = run_gallery(folder, "--device", "no such device")
     expect_refusal(folder, done, "Vulkan")
 
 
+@case
 def placeLayersPrintsRisingSplits(_):
     done = run(place_layers, "--layers", "3")
     assert done.returncode == 0
@@ -130,6 +143,7 @@ def placeLayersPrintsRisingSplits(_):
     assert len(edges) == 4 and edges == sorted(edges) and edges[0] == 0 and edges[-1] == 1, edges
 
 
+@case
 def placeLayersNamesABrokenImage(folder):
     broken = folder / "broken.png"
     broken.write_bytes(PNG)
@@ -137,5 +151,9 @@ def placeLayersNamesABrokenImage(folder):
     assert done.returncode != 0 and str(broken) in done.stderr
 
 
+if len(sys.argv) < 2:
+    print(*cases, sep="\n")
+    sys.exit(0)
+gallery, place_layers = sys.argv[2:4]
 with tempfile.TemporaryDirectory() as scratch:
-    globals()[sys.argv[1]](pathlib.Path(scratch))
+    cases[sys.argv[1]](pathlib.Path(scratch))

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Fails when the three languages have drifted apart, or a shader file holds what some client refuses.
 
-Compares functions, parameters, types, doc comments and constants topic by topic, and the rows of functions.def.
+Compares functions, parameters, types, doc comments and constants topic by topic, and the rows of functions.def; then
+the lists that a new function, test or topic has to be on, see lists.py.
 Prints every difference, one a line:  check.py [ROOT]
 """
 import pathlib
@@ -9,8 +10,10 @@ import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import lists  # noqa: E402
 import lvsm_api  # noqa: E402
-from lvsm_api import HOST_ONLY, LANGUAGES, UMBRELLA, source, topics  # noqa: E402
+import ranges  # noqa: E402
+from lvsm_api import LANGUAGES, UMBRELLA, source, topics  # noqa: E402
 
 # What clients refuse (naga most of all), and what would tie a maths file to a pipeline. LVSM_PRECISE hides `precise`.
 REFUSED = re.compile(r"\b(precise|isnan|isinf|switch|lowp|mediump|highp|precision|[iu]?sampler\w*|[iu]?texture\w*|"
@@ -30,8 +33,6 @@ def compare_functions(root, topic):
         if sorted(names["C++"]) == sorted(names[language]) and names["C++"] != names[language]:
             yield f"{topic}: the functions stand in another order in {language}"
     for name, reference in api["C++"].items():
-        if not reference.doc:
-            yield f"{topic}: {name} has no /// comment in C++"
         for language in ("GLSL", "HLSL"):
             other = api[language].get(name)
             if other is None:
@@ -44,6 +45,31 @@ def compare_functions(root, topic):
                 yield f"{topic}: {name}'s result is {reference.result} in C++, {other.result} in {language}"
             if reference.doc != other.doc:
                 yield f"{topic}: {name}'s doc comment differs in {language} {first_difference(reference.doc, other.doc)}"
+
+
+def compare_types(root, topic):
+    """Likewise: a struct has the same members in each language."""
+    api = {language: {t.name: t for t in lvsm_api.types(root, language, topic)} for language in LANGUAGES}
+    for language in ("GLSL", "HLSL"):
+        for name in sorted(set(api["C++"]) | set(api[language])):
+            reference, other = api["C++"].get(name), api[language].get(name)
+            if reference is None or other is None:
+                yield f"{topic}: type {name} is missing in {'C++' if reference is None else language}"
+            elif reference.members != other.members:
+                yield f"{topic}: {name}'s members differ in {language}"
+            elif reference.doc != other.doc:
+                yield f"{topic}: {name}'s doc comment differs in {language} {first_difference(reference.doc, other.doc)}"
+
+
+def check_docs(root, topic):
+    """Whatever C++ makes public is said to be so: by a /// comment, and once, since there are no overloads."""
+    found = [*lvsm_api.functions(root, "C++", topic, canonical=False),
+             *lvsm_api.types(root, "C++", topic, canonical=False)]
+    for thing in found:
+        if not thing.doc:
+            yield f"{topic}: {thing.name} has no /// comment in C++ (what is not public belongs into namespace detail)"
+    for name in sorted({thing.name for thing in found if sum(other.name == thing.name for other in found) > 1}):
+        yield f"{topic}: {name} is there twice, and the shader languages disagree about overloads"
 
 
 def first_difference(a, b):
@@ -75,7 +101,7 @@ def check_shader(root, language, topic):
         yield f"{where}: {name} has two underscores in a row, which GLSL reserves"
 
     macros = re.findall(r"^\s*#\s*define\s+(\w+)", code, re.MULTILINE)
-    flat, _ = lvsm_api.file_scope(text)
+    flat = lvsm_api.file_scope(text)[0]
     flat = re.sub(r"^\s*#.*|@\d+@|\([^()]*\)|=[^;]*|\[[^\]]*\]", " ", flat, flags=re.MULTILINE)
     for name in macros + re.findall(r"[A-Za-z_]\w*", flat):
         if not re.match(r"lvsm_|LVSM_", name) and not LANGUAGE_WORDS.fullmatch(name):
@@ -95,12 +121,18 @@ def check_rows(root, public):
     if not path.exists():
         yield "tests/parity/functions.def is missing"
         return
-    rows = re.findall(r"^\s*FUNCTION\(\s*(\w+)", path.read_text(), re.MULTILINE)
-    for name in public:
-        if name not in rows:
-            yield f"{name} has no row in tests/parity/functions.def"
-    for name in sorted(set(rows) - set(public)):
+    text = lvsm_api.without_comments(path.read_text())
+    rows = re.findall(r"^FUNCTION\((\w+),[^\n]*\)$", text, re.MULTILINE)
+    if len(rows) != len(re.findall(r"\bFUNCTION\b", text)) or re.search(r"^\s*#", text, re.MULTILINE):
+        yield "tests/parity/functions.def: a row stands in one line, from its beginning, and outside #if: the build reads it so"
+    for function in public:
+        if function.name not in rows:
+            yield f"{function.name} has no row in tests/parity/functions.def"
+    for name in sorted(set(rows) - {function.name for function in public}):
         yield f"tests/parity/functions.def has a row for {name}, which is no public function"
+    for name in sorted({name for name in rows if rows.count(name) > 1}):
+        yield f"tests/parity/functions.def has two rows for {name}"
+    yield from ranges.check(text, public)
 
 
 def readable(topic, check):
@@ -112,25 +144,35 @@ def readable(topic, check):
 
 
 def differences(root):
-    shared = topics(root, "C++") - HOST_ONLY
+    host = lvsm_api.host_alone(root)
+    shared = topics(root, "C++") - host
     for language in ("GLSL", "HLSL"):
-        for topic in sorted(shared ^ topics(root, language)):
-            yield f"topic {topic} is missing in {language if topic in shared else 'C++'}"
+        for topic in sorted(shared - topics(root, language)):
+            yield (f"topic {topic} is missing in {language}; the header of one for C++ alone has a line "
+                   f"'// {lvsm_api.HOST_ALONE}' in its first comment")
+        for topic in sorted(topics(root, language) - shared):
+            yield f"topic {topic} is missing in C++" if topic not in host else f"topic {topic} is not for C++ alone"
     for language in LANGUAGES:
         included = set(re.findall(r'#include "(?:lvsm/)?(\w+)\.', source(root, language, UMBRELLA).read_text()))
         for topic in sorted(topics(root, language) - included - {UMBRELLA, "config"}):
             yield f"the umbrella does not include {topic} in {language}"
 
+    for topic in sorted(topics(root, "C++")):
+        yield from readable(topic, check_docs(root, topic))
     public = []
     for topic in sorted(set.intersection(*(topics(root, language) for language in LANGUAGES))):
-        yield from readable(topic, compare_functions(root, topic))
-        yield from readable(topic, compare_constants(root, topic))
-        public += [function.name for function in lvsm_api.functions(root, "C++", topic, canonical=False)]
+        for compare in (compare_functions, compare_types, compare_constants):
+            yield from readable(topic, compare(root, topic))
+        try:
+            public += lvsm_api.functions(root, "C++", topic)
+        except ValueError:
+            pass  # said already
     for language in ("GLSL", "HLSL"):
         for topic in sorted(topics(root, language)):
             yield from check_shader(root, language, topic)
     yield from check_needs(root)
     yield from check_rows(root, public)
+    yield from lists.differences(root)
 
 
 def main():

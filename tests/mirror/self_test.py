@@ -32,8 +32,16 @@ T hidden(T x)
 
 } // namespace detail
 
+/// One of two.
+template <typename T>
+struct Pair
+{
+    T near = T(0); // the first
+    T far;
+};
+
 /// One of [0,1] and kLargestFp16, as
-/// lvsm::second does.
+/// lvsm::second does. Result: each in [0,1].
 template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> first(T depth, const glm::vec<2, T, Q>& interval)
 {
@@ -60,8 +68,15 @@ GLSL = """// Needs: no other.
 // A constant.
 const float LVSM_LARGEST_FP16 = 65504.0;
 
+/// One of two.
+struct lvsm_Pair
+{
+    float near;
+    float far;
+};
+
 /// One of [0,1] and LVSM_LARGEST_FP16,
-/// as lvsm_second does.
+/// as lvsm_second does. Result: each in [0,1].
 vec2 lvsm_first(float depth, vec2 interval)
 {
     return vec2(depth, interval.x);
@@ -76,20 +91,66 @@ void lvsm_second(inout float splits[LVSM_MAX_LAYERS + 1], float weights[LVSM_MAX
 #endif
 """
 
-UMBRELLA = "// Needs: every topic.\n#ifndef LVSM_LVSM_{0}\n#define LVSM_LVSM_{0}\n\n#include \"depth.{1}\"\n\n#endif\n"
+HOST = """// Needs: no other.
+// Whole images.
+// On the host alone: no shader has it.
+#ifndef LVSM_PLACE_HPP
+#define LVSM_PLACE_HPP
+
+namespace lvsm
+{
+
+/// How to place.
+struct PlaceOptions
+{
+    int rounds = 3;
+};
+
+/// Places.
+inline int place(const PlaceOptions& options = {})
+{
+    return options.rounds;
+}
+
+} // namespace lvsm
+
+#endif
+"""
+
+UMBRELLA = ("// Needs: every topic.\n//\n// Topics: depth{2}. No more.\n#ifndef LVSM_LVSM_{0}\n#define LVSM_LVSM_{0}\n\n"
+            "#include \"depth.{1}\"\n{3}\n#endif\n")
+WRAPPER = "// Needs: no other.\n/// Reads.\nfloat lvsm_sample(float x)\n{\n    return x;\n}\n"
 
 FILES = {
     "include/lvsm/depth.hpp": HPP,
     "glsl/lvsm/depth.glsl": GLSL,
     "hlsl/lvsm/depth.hlsli": GLSL.replace("vec2", "float2").replace("const", "static const").replace("_GLSL", "_HLSLI"),
-    "include/lvsm/lvsm.hpp": UMBRELLA.format("HPP", "hpp"),
-    "glsl/lvsm/lvsm.glsl": UMBRELLA.format("GLSL", "glsl"),
-    "hlsl/lvsm/lvsm.hlsli": UMBRELLA.format("HLSLI", "hlsli"),
-    "tests/parity/functions.def": "FUNCTION(first, Vec2)\nFUNCTION(second, Splits)\n",
+    "include/lvsm/place.hpp": HOST,
+    "include/lvsm/lvsm.hpp": UMBRELLA.format("HPP", "hpp", "; on the host also place", '#include "place.hpp"\n'),
+    "glsl/lvsm/lvsm.glsl": UMBRELLA.format("GLSL", "glsl", "", ""),
+    "hlsl/lvsm/lvsm.hlsli": UMBRELLA.format("HLSLI", "hlsli", "", ""),
+    "glsl/lvsm/sampling/all.glsl": WRAPPER,
+    "hlsl/lvsm/passes/blur.hlsl": "// Needs: no other.\n",
+    "README.md": "| topic | what |\n|---|---|\n| `depth` | depths; `place` runs on the host |\n",
+    "tests/CMakeLists.txt": "add_subdirectory(unit)\nadd_subdirectory(parity)\nadd_subdirectory(sampling)\n",
+    "tests/unit/CMakeLists.txt": "file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)\nadd_executable(lvsm_unit main.cpp ${tests})\n",
+    "tests/unit/main.cpp": "int main() {}\n",
+    "tests/unit/depth_test.cpp": "// first\nTEST(first(1)) TEST(second(1)) TEST(place())\n",
+    "tests/parity/CMakeLists.txt": "add_executable(lvsm_parity domains.cpp)\n",
+    "tests/parity/domains.cpp": '        {"pairs", {}},\n',
+    "tests/parity/functions.def": "// FUNCTION(name)\nFUNCTION(first, Vec2, (A(0), V2(1)), pairs, 0.0, 1.0)\n"
+                                  "FUNCTION(second, Splits, (splits, weights, N(19)), pairs, -FLT_MAX, FLT_MAX)\n",
+    "tests/sampling/CMakeLists.txt": "add_executable(lvsm_sampling passes.cpp)\n",
+    "tests/sampling/passes.cpp": "// blur\n",
+    "tests/sampling/kernels/all.comp": "lvsm_sample(1.0);\n",
+    "tests/cost/estimates.def": "// ESTIMATE(name)\nESTIMATE(One, 1, lvsm_first())\n",
 }
 
 LAST = GLSL[GLSL.index("/// Changes"):GLSL.index("#endif")]
-# Of each case: the file, the text that is replaced, what replaces it, and a part of the message that must come.
+ROW = FILES["tests/parity/functions.def"].splitlines(keepends=True)[-1]
+END = "} // namespace lvsm\n"
+# Of each case: the file or None for all, the text that is replaced, what replaces it, and a part of the message that must
+# come. Text None: the file gets another name. Replacement None: there is no such file.
 CASES = {
     "nothing": ("tests/parity/functions.def", "FUNCTION(first", "FUNCTION(first", None),
     "function_removed_in_glsl": ("glsl/lvsm/depth.glsl", LAST, "", "second is missing in GLSL"),
@@ -111,8 +172,52 @@ CASES = {
     "needs_not_said": ("glsl/lvsm/depth.glsl", "// Needs: no other.\n", "", "depth.glsl is to say in its first lines"),
     "needs_more_than_it_says": ("hlsl/lvsm/depth.hlsli", "#define LVSM_DEPTH_HLSLI", '#define LVSM_DEPTH_HLSLI\n#include "lvsm.hlsli"',
                                 "// Needs: lvsm."),
-    "row_missing": ("tests/parity/functions.def", "FUNCTION(second, Splits)\n", "", "second has no row"),
+    "row_missing": ("tests/parity/functions.def", ROW, "", "second has no row"),
     "row_without_function": ("tests/parity/functions.def", "second", "sceond", "a row for sceond"),
+    "row_indented": ("tests/parity/functions.def", ROW, "    " + ROW, "a row stands in one line"),
+    "row_in_two_lines": ("tests/parity/functions.def", "weights, N", "weights,\n    N", "a row stands in one line"),
+    "row_behind_if": ("tests/parity/functions.def", ROW, "#if 0\n" + ROW + "#endif\n", "outside #if"),
+    "row_twice": ("tests/parity/functions.def", ROW, ROW + ROW, "two rows for second"),
+    "row_range_widened": ("tests/parity/functions.def", "pairs, 0.0, 1.0", "pairs, -FLT_MAX, FLT_MAX",
+                          "first's row in tests/parity/functions.def has the range -FLT_MAX to FLT_MAX"),
+    "row_range_widened_above": ("tests/parity/functions.def", "pairs, 0.0, 1.0", "pairs, 0.0, 1.01", "has the range 0.0 to 1.01"),
+    "range_not_in_the_comment": (None, "Result: each in [0,1].", "", "gives no range"),
+    "domain_undefined": ("tests/parity/domains.cpp", "pairs", "pears", "names the domain pairs"),
+    "domain_without_row": ("tests/parity/domains.cpp", '        {"pairs"', '        {"pears", {}},\n        {"pairs"',
+                           "defines pears"),
+    "estimate_indented": ("tests/cost/estimates.def", "ESTIMATE(One", " ESTIMATE(One", "begins its line"),
+    "undocumented_noexcept": ("include/lvsm/depth.hpp", END, "inline int third(int x) noexcept\n{\n    return x;\n}\n" + END,
+                              "third has no /// comment"),
+    "undocumented_trailing_return": ("include/lvsm/depth.hpp", END, "inline auto third(int x) -> int\n{\n    return x;\n}\n" + END,
+                                     "third has no /// comment"),
+    "noexcept_in_cpp_alone": ("include/lvsm/depth.hpp", END, "/// One.\ninline int third(int x) noexcept\n{\n    return x;\n}\n"
+                              + END, "third is missing in GLSL"),
+    "trailing_return_in_cpp_alone": ("include/lvsm/depth.hpp", END, "/// One.\ninline auto third(int x) -> int\n{\n    return x;\n}\n"
+                                     + END, "third is missing in HLSL"),
+    "overloaded": ("include/lvsm/depth.hpp", END, "/// Another.\ninline int first(int x)\n{\n    return x;\n}\n" + END,
+                   "first is there twice"),
+    "unreadable": ("include/lvsm/depth.hpp", END, "bool operator!(Pair<int>)\n{\n    return true;\n}\n" + END, "cannot read"),
+    "struct_in_cpp_alone": ("include/lvsm/depth.hpp", END, "/// Three.\nstruct Three\n{\n    int x;\n};\n" + END,
+                            "type Three is missing in GLSL"),
+    "struct_undocumented": (None, "/// One of two.\n", "", "Pair has no /// comment"),
+    "struct_member_changed": ("hlsl/lvsm/depth.hlsli", "float far;", "float2 far;", "Pair's members differ in HLSL"),
+    "struct_member_renamed": ("glsl/lvsm/depth.glsl", "float far;", "float end;", "Pair's members differ in GLSL"),
+    "struct_doc_changed": ("glsl/lvsm/depth.glsl", "One of two", "One of three", "Pair's doc comment differs in GLSL"),
+    "host_function_undocumented": ("include/lvsm/place.hpp", "/// Places.\n", "", "place has no /// comment"),
+    "host_type_undocumented": ("include/lvsm/place.hpp", "/// How to place.\n", "", "PlaceOptions has no /// comment"),
+    "host_topic_not_said": ("include/lvsm/place.hpp", "// On the host alone: no shader has it.\n", "", "topic place is missing in GLSL"),
+    "topic_not_in_readme": ("README.md", "`place`", "place", "table of topics does not name the topic place"),
+    "readme_names_no_topic": ("README.md", "| `depth` |", "| `depht` |", "names depht, which is no topic"),
+    "readme_table_missing": ("README.md", "| topic |", "| matter |", "no table"),
+    "topic_not_in_manual": ("include/lvsm/lvsm.hpp", "; on the host also place", "", "of lvsm.hpp does not name the topic place"),
+    "manual_names_no_topic": ("glsl/lvsm/lvsm.glsl", "Topics: depth", "Topics: depth, place", "of lvsm.glsl names place"),
+    "manual_without_topics": ("hlsl/lvsm/lvsm.hlsli", "Topics:", "Matters:", "of lvsm.hlsli is missing"),
+    "function_without_unit_test": ("tests/unit/depth_test.cpp", "TEST(first(1))", "", "calls first"),
+    "unit_test_misnamed": ("tests/unit/depth_test.cpp", None, "tests/unit/depth_tests.cpp", "tests/unit/depth_tests.cpp is not built"),
+    "source_unlisted": ("tests/parity/CMakeLists.txt", "domains.cpp", "main.cpp", "tests/parity/domains.cpp is not built"),
+    "folder_unlisted": ("tests/CMakeLists.txt", "add_subdirectory(parity)\n", "", "tests/parity/CMakeLists.txt is not read"),
+    "wrapper_not_called": ("tests/sampling/kernels/all.comp", "lvsm_sample", "sample", "calls lvsm_sample"),
+    "pass_not_run": ("tests/sampling/passes.cpp", "// blur", "//", "runs hlsl/lvsm/passes/blur.hlsl"),
     "topic_file_missing": ("glsl/lvsm/depth.glsl", GLSL, None, "topic depth is missing in GLSL"),
     "topic_not_in_umbrella": ("hlsl/lvsm/lvsm.hlsli", '#include "depth.hlsli"\n', "", "does not include depth in HLSL"),
     "name_without_prefix": ("glsl/lvsm/depth.glsl", "const float", "const float HALF = 0.5;\nconst float", "HALF could collide"),
@@ -135,7 +240,9 @@ def main():
     changed, old, new, expected = CASES[sys.argv[1]]
     with tempfile.TemporaryDirectory() as folder:
         for name, text in FILES.items():
-            if changed in (None, name):
+            if changed == name and old is None:
+                name = new
+            elif changed in (None, name):
                 assert changed is None or old in text, "the case breaks nothing"
                 text = text.replace(old, new) if new is not None else None
             if text is not None:

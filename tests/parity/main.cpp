@@ -195,8 +195,17 @@ std::vector<Run> runShaders(const Row& row, const Judge& judge, const Options& o
     return runs;
 }
 
+void listRows()
+{
+    for (const Row& row : rows())
+        std::printf("%s\n", row.function.c_str());
+}
+
 int runRow(const Row& row, const Options& options)
 {
+    // What an earlier run wrote says nothing about this one.
+    if (!options.report.empty())
+        std::filesystem::remove(options.report);
     const Judge judge(row);
     if (judge.inputs().size() < 2 * static_cast<std::size_t>(kInputs))
         fail("row " + row.function + " names a domain that is not defined: " + row.domain);
@@ -242,6 +251,14 @@ int main(int argc, char** argv)
     app.add_option("--dxc", options.dxc, "the DirectX Shader Compiler; without it HLSL is compiled by glslang alone");
     app.add_option("--report", options.report, "JSON file to write");
     app.add_option("--devices", options.devices, "parts of device names");
+    app.add_flag_callback(
+        "--list",
+        []
+        {
+            listRows();
+            throw CLI::Success();
+        },
+        "print the names of all rows");
     CLI11_PARSE(app, argc, argv);
 
     const Row* row = findRow(options.function);

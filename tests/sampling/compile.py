@@ -6,6 +6,7 @@
 import argparse
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -73,6 +74,10 @@ parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--glslang", required=True)
 parser.add_argument("--dxc", required=True)
 options = parser.parse_args()
+for command in (options.glslang, options.dxc):
+    if not shutil.which(command) or subprocess.run([command, "--version"], stdout=subprocess.DEVNULL).returncode == 77:
+        print(f"skipped: no {command}")
+        sys.exit(77)
 with tempfile.TemporaryDirectory() as temporary:
     checks = [*same_docs(), *glsl_wrappers(options.glslang, temporary), *hlsl_as_dxil(options.dxc, temporary)]
 print(f"{sum(checks)} of {len(checks)} checks passed")

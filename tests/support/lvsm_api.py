@@ -1,8 +1,9 @@
-"""Reads the public functions and constants of one of lvsm's source files, in any of its three languages.
+"""Reads the public functions, types and constants of one of lvsm's source files, in any of its three languages.
 
-It knows only what these files are made of: functions and constants at the scope of the file (in C++ of namespace lvsm,
-with namespace detail left out), a /// comment directly above each function, // comments elsewhere. Types and names come
-out in one canonical form, so that the three languages can be compared: `float2`, `float[]`, `inout float[]`, LVSM_TINY.
+It knows only what these files are made of: functions, types and constants at the scope of the file (in C++ of namespace
+lvsm, with namespace detail left out), a /// comment directly above each function and type, // comments elsewhere. What
+it cannot read is a ValueError, so that nothing is overlooked. Types and names come out in one canonical form, so that
+the three languages can be compared: `float2`, `float[]`, `inout float[]`, LVSM_TINY.
 """
 import dataclasses
 import pathlib
@@ -10,8 +11,8 @@ import re
 
 LANGUAGES = {"C++": ("include/lvsm", ".hpp"), "GLSL": ("glsl/lvsm", ".glsl"), "HLSL": ("hlsl/lvsm", ".hlsli")}
 UMBRELLA = "lvsm"
-# Topics that exist in C++ alone: algorithms over whole images, which no shader runs.
-HOST_ONLY = {"lloyd", "optimal", "runs"}
+# Such a line in the first comment of a header makes its topic one of C++ alone: what no shader runs.
+HOST_ALONE = "On the host alone"
 
 
 @dataclasses.dataclass
@@ -23,6 +24,21 @@ class Function:
     # As written, for generated C++.
     template: str
     declaration: tuple
+
+
+@dataclasses.dataclass
+class Type:
+    name: str
+    members: list  # of (type, name), where canonical and a struct
+    doc: str
+
+
+@dataclasses.dataclass
+class Declaration:
+    """One thing at the scope of a file: what stands before its body or semicolon, its body, and its /// comment."""
+    text: str
+    body: str  # None where it has none
+    doc: str
 
 
 def source(root, language, topic):
@@ -55,12 +71,22 @@ def needs(path, folder):
     return list(dict.fromkeys(found))
 
 
+def host_alone(root):
+    """The topics of C++ alone."""
+    def says_so(topic):
+        comment = re.match(r"(?://[^\n]*\n|\n)*", source(root, "C++", topic).read_text()).group()
+        return topic != UMBRELLA and HOST_ALONE in comment
+
+    return {topic for topic in topics(root, "C++") if says_so(topic)}
+
+
 def without_comments(text):
     return re.sub(r"//[^\n]*", "", text)
 
 
 def file_scope(text):
-    """The text with each body as `{}` and no comments, and the doc comments, each of which `@NUMBER@` stands for."""
+    """The text with each body as `{}` and no comments, the doc comments, each of which `@NUMBER@` stands for, and the
+    bodies in their order."""
     docs = []
 
     def keep(match):
@@ -70,13 +96,34 @@ def file_scope(text):
     text = re.sub(r"(?:^///[^\n]*\n)+", keep, text, flags=re.MULTILINE)
     text = re.sub(r"\s*=\s*\{\}", "", text)  # default arguments
     text = re.sub(r"\bnamespace lvsm\s*\{(.*)\}", r"\1", without_comments(text), flags=re.DOTALL)
-    flat, depth = [], 0
+    flat, bodies, depth = [], [], 0
     for character in text:
         depth -= character == "}"
         if depth == 0:
             flat.append(character)
+            if character == "{":
+                bodies.append("")
+        else:
+            bodies[-1] += character
         depth += character == "{"
-    return "".join(flat), docs
+    return "".join(flat), docs, bodies
+
+
+def declarations(root, language, topic):
+    """What a file declares at its scope, in its order, but for namespace detail."""
+    flat, docs, bodies = file_scope(source(root, language, topic).read_text())
+    flat = re.sub(r"^\s*#(?:[^\n]*\\\n)*.*", "", flat, flags=re.MULTILINE)
+    found, at, bodies = [], 0, iter(bodies)
+    while flat[at:].strip():
+        match = re.compile(r"\s*(?:@(?P<doc>\d+)@)?(?P<text>[^@;{}]*)(?P<end>\{\}\s*;?|;)").match(flat, at)
+        if not match:
+            raise ValueError(f"a part that the mirror cannot read: {' '.join(flat[at:].split())[:60]}")
+        at = match.end()
+        body = next(bodies) if match["end"] != ";" else None
+        words = " ".join(match["text"].split())
+        if words != "namespace detail":
+            found.append(Declaration(words, body, canonical_doc(docs[int(match["doc"])]) if match["doc"] else ""))
+    return found
 
 
 def canonical_type(text):
@@ -84,10 +131,13 @@ def canonical_type(text):
     text = re.sub(r"\bT\b", "float", text)
     if re.fullmatch(r"(const )?float\*", text):
         return "float[]" if text.startswith("const") else "inout float[]"
+    if text.endswith("&") and not text.startswith("const "):
+        text = "inout " + text
     text = re.sub(r"^const |&$", "", text).strip()
     text = re.sub(r"glm::vec<(\d), (\w+)(?:, \w+)?>", r"\2\1", text)
     text = re.sub(r"(?:glm::)?\b(i?)vec(\d)\b", lambda m: ("int" if m[1] else "float") + m[2], text)
-    if not re.fullmatch(r"(inout )?(float|int|bool)\d?(\[\])?|void", text):
+    text = re.sub(r"\b(?:lvsm_)?([A-Z]\w*)(?:<[^<>]*>)?", r"\1", text)  # a struct of the library
+    if not re.fullmatch(r"(inout )?((float|int|bool)\d?|[A-Z]\w*)(\[\])?|void", text):
         raise ValueError(f"a type that the mirror does not know: {written}")
     return text
 
@@ -111,34 +161,72 @@ def canonical_doc(text):
     return canonical_constant(re.sub(r"\blvsm(_|::)", "", text))
 
 
+def is_constant(text):
+    return re.match(r"(template <[^<>]*> )?((inline|static) )*const(expr)? [^()]*=", text) or re.match(
+        r"(template <[^<>]*> )?((inline|static) )*const(expr)? [\w:]+ \w+(\[[^\]]*\])*$", text)
+
+
+def type_name(text):
+    match = re.match(r"(?:template <.*?> )?(?:struct|class|enum class|enum|union|using|typedef) (\w+)", text)
+    return match and match[1]
+
+
+def without_template(text):
+    """The parameters of a template, and the text after them."""
+    if not text.startswith("template <"):
+        return "", text
+    depth = 0
+    for i, character in enumerate(text):
+        depth += (character == "<") - (character == ">")
+        if character == ">" and depth == 0:
+            return text[len("template <"):i], text[i + 1:].strip()
+    raise ValueError(f"a template that the mirror cannot read: {text}")
+
+
+def parse_function(declaration, canonical):
+    template, text = without_template(declaration.text)
+    text = re.sub(r"\[\[.*?\]\]", "", text)
+    match = re.fullmatch(r"(?P<result>[\w:][\w:<>,*& ]*?)\s+(?P<name>\w+)\((?P<parameters>.*?)\)"
+                         r"(?:\s*noexcept(?:\(.*\))?)?(?:\s*->\s*(?P<trailing>.+))?", text)
+    if not match or match["result"] == "auto" and not match["trailing"]:
+        raise ValueError(f"a declaration that the mirror cannot read: {declaration.text}")
+    result = match["trailing"] or re.sub(r"\b(inline|constexpr|static) ", "", match["result"])
+    parameters = split_parameters(match["parameters"])
+    return Function(
+        name=match["name"].removeprefix("lvsm_"),
+        result=canonical_type(result) if canonical else result,
+        parameters=[canonical_parameter(p) for p in parameters] if canonical else [],
+        doc=declaration.doc,
+        template=template,
+        declaration=(result, match["name"], parameters))
+
+
 def functions(root, language, topic, canonical=True):
     """The public functions of a topic in the order of the file. Not canonical: as written, for files of host types.
 
-    Shaders have no namespace for what is internal: there a function with a // comment in place of /// is a helper.
+    Shaders have no namespace for what is internal: there a function with a // comment in place of /// is a helper, and
+    likewise a type.
     """
-    text, docs = file_scope(source(root, language, topic).read_text())
-    text = re.sub(r"^\s*#.*", "", text, flags=re.MULTILINE)
-    pattern = re.compile(r"(?:@(?P<doc>\d+)@\s*)?(?:template <(?P<template>[^{}();]*)>\s*)?"
-                         r"(?P<result>[\w:][\w:<>,*& ]*?)\s+(?P<name>\w+)\((?P<parameters>[^(){};]*)\)\s*\{\}")
+    return [parse_function(declaration, canonical) for declaration in declarations(root, language, topic)
+            if not is_constant(declaration.text) and not type_name(declaration.text)
+            and (language == "C++" or declaration.doc)]
+
+
+def types(root, language, topic, canonical=True):
+    """The public types of a topic in the order of the file."""
     found = []
-    for match in pattern.finditer(text):
-        if language != "C++" and not match["doc"]:
-            continue
-        result = re.sub(r"\b(inline|constexpr|static)\s+", "", match["result"])
-        parameters = split_parameters(match["parameters"])
-        found.append(Function(
-            name=match["name"].removeprefix("lvsm_"),
-            result=canonical_type(result) if canonical else result,
-            parameters=[canonical_parameter(p) for p in parameters] if canonical else [],
-            doc=canonical_doc(docs[int(match["doc"])]) if match["doc"] else "",
-            template=match["template"] or "",
-            declaration=(result, match["name"], parameters)))
+    for declaration in declarations(root, language, topic):
+        name = type_name(declaration.text)
+        if name and (language == "C++" or declaration.doc):
+            members = without_comments(declaration.body or "").split(";") if canonical else []
+            found.append(Type(name.removeprefix("lvsm_"),
+                              [canonical_parameter(" ".join(m.split())) for m in members if m.strip()], declaration.doc))
     return found
 
 
 def constants(root, language, topic):
     """The values of a topic's constants, rounded to float, by canonical name."""
-    text, _ = file_scope(source(root, language, topic).read_text())
+    text = file_scope(source(root, language, topic).read_text())[0]
     found = {}
     for name, value in re.findall(r"\b(?:const|constexpr) \w+ (\w+) = ([^;]+);", text):
         value = re.sub(r"\b(LVSM_\w+|k[A-Z]\w*)(<T>)?", lambda m: repr(found[canonical_constant(m[1])]), value)
