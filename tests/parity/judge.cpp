@@ -21,13 +21,22 @@ bool isWithin(double answer, const Allowed& allowed)
 
 } // namespace
 
-Judge::Judge(const Row& row) : m_row(row), m_components(componentCount(row.kind))
+std::vector<Words> thinnedInputs(const Row& row, std::size_t every)
 {
-    m_inputs = domainInputs(row.domain);
-    for (const Words& input : m_inputs)
-        allow(input);
-    const std::vector<Words> hostile = hostileInputs();
-    m_inputs.insert(m_inputs.end(), hostile.begin(), hostile.end());
+    std::vector<Words> thinned;
+    for (const std::vector<Words>& all : {domainInputs(row.domain), hostileInputs()})
+    {
+        for (std::size_t i = 0; i < all.size(); i += every)
+            thinned.push_back(all[i]);
+    }
+    return thinned;
+}
+
+Judge::Judge(const Row& row, std::size_t every)
+    : m_row(row), m_components(componentCount(row.kind)), m_inputs(thinnedInputs(row, every))
+{
+    for (std::size_t i = 0; i < m_inputs.size() / 2; ++i)
+        allow(m_inputs[i]);
 }
 
 void Judge::allow(const Words& words)

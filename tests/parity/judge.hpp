@@ -38,11 +38,14 @@ struct Verdict
     bool passed() const { return nonFinite == 0 && outside == 0 && tightShare >= 0.25; }
 };
 
+// One in so many inputs of a row: of its domain first, then of the hostile ones.
+std::vector<Words> thinnedInputs(const Row& row, std::size_t every);
+
 // The inputs of a row, from its domain and the hostile one, with what is allowed of each.
 class Judge
 {
 public:
-    explicit Judge(const Row& row);
+    explicit Judge(const Row& row, std::size_t every = 1);
 
     const std::vector<Words>& inputs() const { return m_inputs; }
 

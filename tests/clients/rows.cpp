@@ -1,0 +1,118 @@
+// lvsm_client_rows: the rows of tests/parity, a few thousand inputs each, as files for a client to run and to be judged.
+//   lvsm_client_rows write FOLDER                 writes FOLDER/rows.json and FOLDER/FUNCTION.inputs, 24 words an input
+//   lvsm_client_rows judge FOLDER CLIENT REPORT   reads FOLDER/FUNCTION.results, 9 floats an input
+// The tolerance is that of tests/parity, derived input by input from the precision that Vulkan and OpenGL ES promise.
+#include "judge.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+
+using namespace parity;
+using nlohmann::json;
+
+// Of the 65536 inputs of a domain, and as many hostile ones, a client runs one in so many.
+constexpr std::size_t kEvery = 32;
+
+std::string path(const std::string& folder, const Row& row, const char* suffix)
+{
+    return folder + "/" + row.function + suffix;
+}
+
+int write(const std::string& folder)
+{
+    json list = json::array();
+    for (const Row& row : rows())
+    {
+        const std::vector<Words> inputs = thinnedInputs(row, kEvery);
+        std::ofstream file(path(folder, row, ".inputs"), std::ios::binary);
+        file.write(reinterpret_cast<const char*>(inputs.data()),
+                   static_cast<std::streamsize>(inputs.size() * sizeof(Words)));
+        list.push_back({{"function", row.function}, {"kind", row.kind}, {"arguments", row.arguments},
+                        {"inputs", inputs.size()}});
+    }
+    std::ofstream(folder + "/rows.json") << list.dump(1) << '\n';
+    return 0;
+}
+
+// The verdicts of a row; none where the client left no results of the right size.
+std::vector<Verdict> judge(const std::string& folder, const Row& row)
+{
+    const Judge judge(row, kEvery);
+    std::vector<float> results(judge.inputs().size() * kResults);
+    const std::streamsize size = static_cast<std::streamsize>(results.size() * sizeof(float));
+    std::ifstream file(path(folder, row, ".results"), std::ios::binary);
+    file.read(reinterpret_cast<char*>(results.data()), size);
+    if (file.gcount() != size || file.peek() != std::char_traits<char>::eof())
+        return {};
+    const std::vector<Verdict> verdicts = judge.judge(results);
+    for (const Verdict& verdict : verdicts)
+    {
+        if (!verdict.passed())
+            std::printf("FAIL %s %s: %zu not finite, %zu outside, %.0f%% tight; expected %.9g, got %.9g for (%s)\n",
+                        row.function.c_str(), verdict.domain.c_str(), verdict.nonFinite, verdict.outside,
+                        100.0 * verdict.tightShare, verdict.expected, verdict.answered,
+                        describeInput(judge.inputs()[verdict.worstInput]).c_str());
+    }
+    return verdicts;
+}
+
+int judgeAll(const std::string& folder, const std::string& client, const std::string& report)
+{
+    std::size_t failed = 0;
+    std::size_t inputs = 0;
+    Verdict worst;
+    std::string worstFunction;
+    for (const Row& row : rows())
+    {
+        const std::vector<Verdict> verdicts = judge(folder, row);
+        if (verdicts.empty())
+            std::printf("FAIL %s: no results of the right size\n", row.function.c_str());
+        bool passed = !verdicts.empty();
+        for (const Verdict& verdict : verdicts)
+        {
+            passed = passed && verdict.passed();
+            inputs += verdict.inputs;
+            // Where the tolerance leaves the least room: what is worst, in units that all rows share.
+            if (verdict.tolerance > 0.0 && verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
+            {
+                worst = verdict;
+                worstFunction = row.function;
+            }
+        }
+        failed += passed ? 0 : 1;
+    }
+    std::printf("%s: %zu functions, %zu inputs, %zu functions failed; nearest to its tolerance: %s, %.3g of %.3g\n",
+                client.c_str(), rows().size(), inputs, failed, worstFunction.c_str(), worst.worstError,
+                worst.tolerance);
+    std::filesystem::create_directories(std::filesystem::path(report).parent_path());
+    std::ofstream(report) << json({{"client", client},
+                                   {"functions", rows().size()},
+                                   {"inputs", inputs},
+                                   {"failed", failed},
+                                   {"worst_function", worstFunction},
+                                   {"worst_error", worst.worstError},
+                                   {"tolerance", worst.tolerance}})
+                                  .dump(1)
+                          << '\n';
+    return failed == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.size() == 2 && words[0] == "write")
+        return write(words[1]);
+    if (words.size() == 4 && words[0] == "judge")
+        return judgeAll(words[1], words[2], words[3]);
+    std::fprintf(stderr, "usage: lvsm_client_rows write FOLDER | judge FOLDER CLIENT REPORT\n");
+    return 2;
+}
