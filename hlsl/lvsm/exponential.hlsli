@@ -10,7 +10,7 @@
 
 // Largest finite value of a storage format, for maxExponent.
 static const float LVSM_LARGEST_FP16 = 65504.0;
-static const float LVSM_LARGEST_FP32 = 3.40282347e38;
+static const float LVSM_LARGEST_FP32 = 3.4028234e38;
 
 // Largest exponent in fp32. The second moments would be finite up to ln(FLT_MAX) / 2 = 44.36, but the bound divides by
 // up to 2 e^(2c), and Vulkan promises nothing for divisors over 2^126. So c is 125 ln 2 / 2 = 43.32170, less 1.1e-5 for

@@ -1,8 +1,10 @@
 // lvsm_client_rows: the rows of tests/parity, a few thousand inputs each, as files for a client to run and to be judged.
-//   lvsm_client_rows write FOLDER                 writes FOLDER/rows.json and FOLDER/FUNCTION.inputs, 24 words an input
+//   lvsm_client_rows write FOLDER                 writes FOLDER/FUNCTION.inputs, 24 words an input, and FOLDER/rows.json
+//                                                 with the fragment shader of each, to put after the library
 //   lvsm_client_rows judge FOLDER CLIENT REPORT   reads FOLDER/FUNCTION.results, 9 floats an input
 // The tolerance is that of tests/parity, derived input by input from the precision that Vulkan and OpenGL ES promise.
 #include "judge.hpp"
+#include "kernel.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -34,8 +36,7 @@ int write(const std::string& folder)
         std::ofstream file(path(folder, row, ".inputs"), std::ios::binary);
         file.write(reinterpret_cast<const char*>(inputs.data()),
                    static_cast<std::streamsize>(inputs.size() * sizeof(Words)));
-        list.push_back({{"function", row.function}, {"kind", row.kind}, {"arguments", row.arguments},
-                        {"inputs", inputs.size()}});
+        list.push_back({{"function", row.function}, {"inputs", inputs.size()}, {"kernel", glslFragmentKernel(row)}});
     }
     std::ofstream(folder + "/rows.json") << list.dump(1) << '\n';
     return 0;
@@ -79,8 +80,8 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
         {
             passed = passed && verdict.passed();
             inputs += verdict.inputs;
-            // Where the tolerance leaves the least room: what is worst, in units that all rows share.
-            if (verdict.tolerance > 0.0 && verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
+            // Of visibilities, weights and depths the one that the tolerance leaves the least room.
+            if (row.high <= 1.0 && verdict.tolerance > 0.0 && verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
             {
                 worst = verdict;
                 worstFunction = row.function;

@@ -1,4 +1,4 @@
-// The compute shader that runs one row on all inputs.
+// The shaders that run one row on all inputs.
 #ifndef LVSM_PARITY_KERNEL_HPP
 #define LVSM_PARITY_KERNEL_HPP
 
@@ -14,6 +14,11 @@ constexpr int kGroupSize = 64;
 // In both, the library comes first: an #include of lvsm/lvsm.glsl or .hlsli, or the text of the one-file version.
 std::string glslKernel(const Row& row, const std::string& library);
 std::string hlslKernel(const Row& row, const std::string& library);
+
+// The same as a fragment shader of GLSL 3.30 and of ES 3.00, to put after #version, precision and the library. The
+// texture lvsm_inputs holds 64 inputs a row, six texels of four words each; an input's results go to its pixel.
+constexpr int kInputsPerRow = 64;
+std::string glslFragmentKernel(const Row& row);
 
 } // namespace parity
 

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 say() { echo "install_packages.sh: $*" >&2; }
 
-installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+installed() { grep -qxF "$1" <<<"$provided"; }
 known() { apt-cache show "$1" >/dev/null 2>&1; }
 
 packages=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt)
@@ -13,6 +13,9 @@ if ! command -v apt-get >/dev/null; then
     exit 0
 fi
 
+# An installed package may provide another: nodejs from elsewhere than Debian brings its own npm.
+provided=$(dpkg-query -W -f '${db:Status-Status},${Package},${Provides}\n' | grep '^installed,' |
+    sed -e 's/([^)]*)//g' | tr ',' '\n' | tr -d ' ' | sort -u)
 missing=()
 for package in $packages; do
     installed "$package" || missing+=("$package")

@@ -1,0 +1,66 @@
+// Runs the rows of tests/parity in three.js: lvsm_all.glsl in ShaderChunk, unchanged, and #include <lvsm>.
+import * as THREE from "three";
+
+const WORDS = 24;
+const INPUTS_PER_ROW = 64;
+
+async function bytes(url) {
+    const response = await fetch(url);
+    if (!response.ok)
+        throw new Error(`${url}: ${response.status}`);
+    return response.arrayBuffer();
+}
+
+function inputTexture(words) {
+    const width = INPUTS_PER_ROW * WORDS / 4;
+    const texture = new THREE.DataTexture(words, width, words.length / (4 * width), THREE.RGBAIntegerFormat,
+                                          THREE.UnsignedIntType);
+    texture.internalFormat = "RGBA32UI";
+    texture.needsUpdate = true;
+    return texture;
+}
+
+// The nine results of each input, in the order of the inputs.
+async function run(renderer, row) {
+    const words = new Uint32Array(await bytes(`/rows/${row.function}.inputs`));
+    const height = row.inputs / INPUTS_PER_ROW;
+    const target = new THREE.WebGLRenderTarget(INPUTS_PER_ROW, height, {
+        count: 3, type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
+        depthBuffer: false,
+    });
+    const material = new THREE.RawShaderMaterial({
+        glslVersion: THREE.GLSL3,
+        vertexShader: "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n",
+        fragmentShader: `precision highp float;\n#include <lvsm>\n${row.kernel}`,
+        uniforms: {lvsm_inputs: {value: inputTexture(words)}},
+        depthTest: false,
+    });
+    const triangle = new THREE.BufferGeometry();
+    triangle.setAttribute("position", new THREE.BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+    const mesh = new THREE.Mesh(triangle, material);
+    mesh.frustumCulled = false;
+    renderer.setRenderTarget(target);
+    renderer.render(mesh, new THREE.Camera());
+
+    const results = new Float32Array(9 * row.inputs);
+    for (let part = 0; part < 3; ++part) {
+        const four = new Float32Array(4 * row.inputs);
+        renderer.readRenderTargetPixels(target, 0, 0, INPUTS_PER_ROW, height, four, undefined, part);
+        for (let i = 0; i < row.inputs; ++i) {
+            for (let c = 0; c < 4 && 4 * part + c < 9; ++c)
+                results[9 * i + 4 * part + c] = four[4 * i + c];
+        }
+    }
+    material.dispose();
+    target.dispose();
+    return results;
+}
+
+export async function main() {
+    THREE.ShaderChunk.lvsm = new TextDecoder().decode(await bytes("/single/lvsm_all.glsl"));
+    const renderer = new THREE.WebGLRenderer();
+    const rows = JSON.parse(new TextDecoder().decode(await bytes("/rows/rows.json")));
+    for (const row of rows)
+        await fetch(`/rows/${row.function}.results`, {method: "PUT", body: await run(renderer, row)});
+    return {rows: rows.length, version: THREE.REVISION};
+}
