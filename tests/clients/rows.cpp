@@ -81,7 +81,8 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
             passed = passed && verdict.passed();
             inputs += verdict.inputs;
             // Of visibilities, weights and depths the one that the tolerance leaves the least room.
-            if (row.high <= 1.0 && verdict.tolerance > 0.0 && verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
+            if (row.high <= 1.0 && verdict.tolerance > 0.0 &&
+                verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
             {
                 worst = verdict;
                 worstFunction = row.function;
@@ -100,7 +101,7 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
                                    {"worst_function", worstFunction},
                                    {"worst_error", worst.worstError},
                                    {"tolerance", worst.tolerance}})
-                                  .dump(1)
+                                 .dump(1)
                           << '\n';
     return failed == 0 ? 0 : 1;
 }

@@ -126,8 +126,8 @@ const char* const kCommonMacros = R"(
 
 std::string glslKernel(const Row& row, const std::string& library)
 {
-    return "#version 450\n" + library + constants() + kCommonMacros + kGlslCompute + kGlslArguments +
-           kGlslComputeMain + kBody + callStatement(row) + "}\n";
+    return "#version 450\n" + library + constants() + kCommonMacros + kGlslCompute + kGlslArguments + kGlslComputeMain +
+           kBody + callStatement(row) + "}\n";
 }
 
 std::string glslFragmentKernel(const Row& row)
