@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +8,7 @@
 
 #include "gallery.hpp"
 #include "model.hpp"
+#include "whole_file.hpp"
 
 namespace
 {
@@ -36,12 +36,10 @@ struct CommandLine
     bool validation = false;
 };
 
-void writeText(const fs::path& path, const std::string& text)
+void write(const fs::path& path, const std::string& text)
 {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (!file.flush())
-        throw std::runtime_error("cannot write " + path.string());
+    if (const auto problem = support::writeWholeFile(path.string(), text))
+        throw std::runtime_error(*problem);
 }
 
 /// A folder that becomes the output all at once, or leaves no trace.
@@ -78,15 +76,6 @@ private:
     fs::path m_pending;
 };
 
-void publishReport(const fs::path& path, const std::string& text)
-{
-    if (path.has_parent_path())
-        fs::create_directories(path.parent_path());
-    const fs::path pending = path.string() + ".partial";
-    writeText(pending, text);
-    fs::rename(pending, path);
-}
-
 int complain(const std::string& message, int status)
 {
     std::fprintf(stderr, "lvsm_gallery: %s\n", message.c_str());
@@ -115,10 +104,10 @@ int makeGallery(const CommandLine& arguments)
                                     makeFence(*model, fs::path(arguments.model).filename().string())};
     const auto sections = renderGallery(device->context(), scenes, arguments.gallery, folder.path());
     const auto verdicts = judge(sections);
-    writeText(folder.path() / "index.html",
-              pageText(sections, verdicts, {device->name().device, arguments.gallery.mapSize}));
+    write(folder.path() / "index.html",
+          pageText(sections, verdicts, {device->name().device, arguments.gallery.mapSize}));
     folder.publish();
-    publishReport(report, reportText(sections));
+    write(report, reportText(sections));
     std::fprintf(stderr, "wrote %s and %s\n", (output / "index.html").c_str(), report.c_str());
 
     if (!device->validationMessages().empty())

@@ -3,6 +3,7 @@
 #include "radv.hpp"
 
 #include <shader_compiler.hpp>
+#include <whole_file.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
@@ -96,13 +96,8 @@ json rowsOf(const std::vector<Cost>& costs)
 
 void write(const std::string& path, const std::string& text)
 {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (!folder.empty())
-        std::filesystem::create_directories(folder);
-    const std::string partial = path + ".partial";
-    if (!(std::ofstream(partial) << text))
-        fail("cannot write " + partial);
-    std::filesystem::rename(partial, path);
+    if (const auto problem = lvsm::support::writeWholeFile(path, text))
+        fail(*problem);
 }
 
 json readRecorded(const std::string& path)

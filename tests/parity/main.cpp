@@ -4,6 +4,7 @@
 
 #include <shader_compiler.hpp>
 #include <vulkan_device.hpp>
+#include <whole_file.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -167,10 +168,8 @@ void writeReport(const Row& row, const std::vector<Run>& runs, const Options& op
                             {"non_finite", verdict.nonFinite},
                             {"outside", verdict.outside}});
     }
-    std::filesystem::create_directories(std::filesystem::path(options.report).parent_path());
-    const std::string partial = options.report + ".partial";
-    std::ofstream(partial) << list.dump(1) << '\n';
-    std::filesystem::rename(partial, options.report);
+    if (const auto problem = lvsm::support::writeWholeFile(options.report, list.dump(1) + '\n'))
+        fail(*problem);
 }
 
 // The verdicts of every device, compiler and source; empty where no device is there.

@@ -12,34 +12,34 @@ namespace
 class Projected
 {
 public:
-    Projected(const Triangle& triangle, const Light& light) : light_(light), twoSided_(triangle.twoSided)
+    Projected(const Triangle& triangle, const Light& light) : m_light(light), m_twoSided(triangle.twoSided)
     {
         for (int i = 0; i < 3; ++i)
-            points_[i] = light.texel(triangle.corners[i]);
-        corner_ = triangle.corners[0];
-        normal_ = glm::cross(glm::dvec3(triangle.corners[1]) - corner_, glm::dvec3(triangle.corners[2]) - corner_);
-        const double area = glm::length(normal_);
-        empty_ = !(area > 0.0);
-        if (!empty_)
-            normal_ /= area;
-        orientation_ = cross(points_[0], points_[1], points_[2]) < 0.0 ? -1.0 : 1.0;
+            m_points[i] = light.texel(triangle.corners[i]);
+        m_corner = triangle.corners[0];
+        m_normal = glm::cross(glm::dvec3(triangle.corners[1]) - m_corner, glm::dvec3(triangle.corners[2]) - m_corner);
+        const double area = glm::length(m_normal);
+        m_empty = !(area > 0.0);
+        if (!m_empty)
+            m_normal /= area;
+        m_orientation = cross(m_points[0], m_points[1], m_points[2]) < 0.0 ? -1.0 : 1.0;
     }
 
-    bool empty() const { return empty_; }
-    glm::dvec2 low() const { return glm::min(points_[0], glm::min(points_[1], points_[2])); }
-    glm::dvec2 high() const { return glm::max(points_[0], glm::max(points_[1], points_[2])); }
+    bool empty() const { return m_empty; }
+    glm::dvec2 low() const { return glm::min(m_points[0], glm::min(m_points[1], m_points[2])); }
+    glm::dvec2 high() const { return glm::max(m_points[0], glm::max(m_points[1], m_points[2])); }
 
     /// Of two triangles that share an edge, one covers each point on it.
     bool covers(glm::dvec2 p) const
     {
         for (int i = 0; i < 3; ++i)
         {
-            const glm::dvec2 a = points_[i];
-            const glm::dvec2 b = points_[(i + 1) % 3];
+            const glm::dvec2 a = m_points[i];
+            const glm::dvec2 b = m_points[(i + 1) % 3];
             const bool swapped =
                 a.x > b.x || (a.x == b.x && a.y > b.y); // the same arithmetic from both sides of the edge
-            const double side = orientation_ * (swapped ? -cross(b, a, p) : cross(a, b, p));
-            const bool owned = swapped == (orientation_ > 0.0);
+            const double side = m_orientation * (swapped ? -cross(b, a, p) : cross(a, b, p));
+            const bool owned = swapped == (m_orientation > 0.0);
             if (side < 0.0 || (side == 0.0 && !owned))
                 return false;
         }
@@ -51,11 +51,11 @@ public:
     {
         const double cx = x + 0.5;
         const double cy = y + 0.5;
-        const Light::Ray ray = light_.ray(cx, cy);
-        const double cosine = -glm::dot(normal_, glm::normalize(ray.direction));
+        const Light::Ray ray = m_light.ray(cx, cy);
+        const double cosine = -glm::dot(m_normal, glm::normalize(ray.direction));
         const glm::dvec2 gradient(depth(cx + 0.5, cy) - depth(cx - 0.5, cy), depth(cx, cy + 0.5) - depth(cx, cy - 0.5));
         return {static_cast<float>(depth(cx, cy)), glm::clamp(glm::vec2(gradient), -1.0f, 1.0f),
-                static_cast<float>(twoSided_ ? std::abs(cosine) : cosine)};
+                static_cast<float>(m_twoSided ? std::abs(cosine) : cosine)};
     }
 
 private:
@@ -67,20 +67,20 @@ private:
     /// Depth of the triangle's plane, which goes on beyond its edges.
     double depth(double x, double y) const
     {
-        const Light::Ray ray = light_.ray(x, y);
-        const double slope = glm::dot(normal_, ray.direction);
+        const Light::Ray ray = m_light.ray(x, y);
+        const double slope = glm::dot(m_normal, ray.direction);
         const double least = 1e-9 * glm::length(ray.direction);
-        const double along = glm::dot(normal_, corner_ - ray.origin) / (std::abs(slope) < least ? least : slope);
-        return light_.depth(ray.origin + along * ray.direction);
+        const double along = glm::dot(m_normal, m_corner - ray.origin) / (std::abs(slope) < least ? least : slope);
+        return m_light.depth(ray.origin + along * ray.direction);
     }
 
-    const Light& light_;
-    bool twoSided_;
-    bool empty_;
-    glm::dvec2 points_[3];
-    glm::dvec3 corner_;
-    glm::dvec3 normal_;
-    double orientation_;
+    const Light& m_light;
+    bool m_twoSided;
+    bool m_empty;
+    glm::dvec2 m_points[3];
+    glm::dvec3 m_corner;
+    glm::dvec3 m_normal;
+    double m_orientation;
 };
 
 } // namespace

@@ -48,10 +48,10 @@ private:
     glm::dvec3 local(glm::dvec3 point) const;
     double distance(glm::dvec3 point) const;
 
-    bool spot_;
-    glm::dvec3 origin_, right_, up_, forward_;
-    glm::dvec2 low_, texelsPerUnit_;
-    double nearDistance_, farDistance_;
+    bool m_spot;
+    glm::dvec3 m_origin, m_right, m_up, m_forward;
+    glm::dvec2 m_low, m_texelsPerUnit;
+    double m_nearDistance, m_farDistance;
 };
 
 Peel depthPeel(const Mesh& mesh, const Light& light, int size);

@@ -53,8 +53,8 @@ Light Light::spot(const Mesh& mesh, float elevation, float azimuth, int size)
 }
 
 Light::Light(const Mesh& mesh, bool spot, glm::dvec3 origin, glm::dvec3 forward, int size)
-    : spot_(spot), origin_(origin), right_(glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)))),
-      up_(glm::cross(right_, forward)), forward_(forward), low_(1e30), nearDistance_(1e30), farDistance_(-1e30)
+    : m_spot(spot), m_origin(origin), m_right(glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)))),
+      m_up(glm::cross(m_right, forward)), m_forward(forward), m_low(1e30), m_nearDistance(1e30), m_farDistance(-1e30)
 {
     glm::dvec2 high(-1e30);
     for (const Triangle& triangle : mesh)
@@ -62,50 +62,50 @@ Light::Light(const Mesh& mesh, bool spot, glm::dvec3 origin, glm::dvec3 forward,
         for (const glm::vec3& corner : triangle.corners)
         {
             const glm::dvec3 p = local(corner);
-            low_ = glm::min(low_, glm::dvec2(p));
+            m_low = glm::min(m_low, glm::dvec2(p));
             high = glm::max(high, glm::dvec2(p));
-            nearDistance_ = std::min(nearDistance_, distance(corner));
-            farDistance_ = std::max(farDistance_, distance(corner));
+            m_nearDistance = std::min(m_nearDistance, distance(corner));
+            m_farDistance = std::max(m_farDistance, distance(corner));
         }
     }
-    const glm::dvec2 border = kBorder * (high - low_);
-    low_ -= border;
+    const glm::dvec2 border = kBorder * (high - m_low);
+    m_low -= border;
     high += border;
-    const double margin = kBorder * (farDistance_ - nearDistance_);
-    nearDistance_ -= margin;
-    farDistance_ += margin;
-    texelsPerUnit_ = static_cast<double>(size) / (high - low_);
+    const double margin = kBorder * (m_farDistance - m_nearDistance);
+    m_nearDistance -= margin;
+    m_farDistance += margin;
+    m_texelsPerUnit = static_cast<double>(size) / (high - m_low);
 }
 
 glm::dvec3 Light::local(glm::dvec3 point) const
 {
-    const glm::dvec3 from = point - origin_;
-    const double along = glm::dot(from, forward_);
-    const glm::dvec2 across(glm::dot(from, right_), glm::dot(from, up_));
-    return {spot_ ? across / along : across, along};
+    const glm::dvec3 from = point - m_origin;
+    const double along = glm::dot(from, m_forward);
+    const glm::dvec2 across(glm::dot(from, m_right), glm::dot(from, m_up));
+    return {m_spot ? across / along : across, along};
 }
 
 double Light::distance(glm::dvec3 point) const
 {
-    return spot_ ? glm::length(point - origin_) : glm::dot(point - origin_, forward_);
+    return m_spot ? glm::length(point - m_origin) : glm::dot(point - m_origin, m_forward);
 }
 
 Light::Ray Light::ray(double x, double y) const
 {
-    const glm::dvec2 across = low_ + glm::dvec2(x, y) / texelsPerUnit_;
-    const glm::dvec3 offset = across.x * right_ + across.y * up_;
-    return spot_ ? Ray{origin_, forward_ + offset} : Ray{origin_ + offset, forward_};
+    const glm::dvec2 across = m_low + glm::dvec2(x, y) / m_texelsPerUnit;
+    const glm::dvec3 offset = across.x * m_right + across.y * m_up;
+    return m_spot ? Ray{m_origin, m_forward + offset} : Ray{m_origin + offset, m_forward};
 }
 
 glm::dvec2 Light::texel(glm::dvec3 point) const
 {
-    return (glm::dvec2(local(point)) - low_) * texelsPerUnit_;
+    return (glm::dvec2(local(point)) - m_low) * m_texelsPerUnit;
 }
 
 double Light::depth(glm::dvec3 point) const
 {
-    return spot_ ? pointLightDepth(point, origin_, nearDistance_, farDistance_)
-                 : planeLightDepth(point, origin_, forward_, nearDistance_, farDistance_);
+    return m_spot ? pointLightDepth(point, m_origin, m_nearDistance, m_farDistance)
+                  : planeLightDepth(point, m_origin, m_forward, m_nearDistance, m_farDistance);
 }
 
 } // namespace lvsm::quality

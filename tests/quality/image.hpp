@@ -18,21 +18,21 @@ class Image
 {
 public:
     Image(int size, int channels)
-        : size_(size), channels_(channels), values_(texelIndex(0, size, size) * static_cast<std::size_t>(channels))
+        : m_size(size), m_channels(channels), m_values(texelIndex(0, size, size) * static_cast<std::size_t>(channels))
     {
     }
 
-    int size() const { return size_; }
-    int channels() const { return channels_; }
-    float* texel(int x, int y) { return values_.data() + offset(x, y); }
-    const float* texel(int x, int y) const { return values_.data() + offset(x, y); }
+    int size() const { return m_size; }
+    int channels() const { return m_channels; }
+    float* texel(int x, int y) { return m_values.data() + offset(x, y); }
+    const float* texel(int x, int y) const { return m_values.data() + offset(x, y); }
 
 private:
-    std::size_t offset(int x, int y) const { return texelIndex(x, y, size_) * static_cast<std::size_t>(channels_); }
+    std::size_t offset(int x, int y) const { return texelIndex(x, y, m_size) * static_cast<std::size_t>(m_channels); }
 
-    int size_;
-    int channels_;
-    std::vector<float> values_;
+    int m_size;
+    int m_channels;
+    std::vector<float> m_values;
 };
 
 } // namespace lvsm::quality

@@ -8,7 +8,7 @@ namespace lvsm::quality
 Splits::Splits(const Map& map, int count, Placement placement)
 {
     for (int i = 0; i <= count; ++i)
-        values_.push_back(uniformSplit<float>(i, count));
+        m_values.push_back(uniformSplit<float>(i, count));
     if (placement == Placement::Uniform)
         return;
 
@@ -19,7 +19,7 @@ Splits::Splits(const Map& map, int count, Placement placement)
         for (int x = 0; x < size; ++x)
             depths.push_back(map.peel.nearest(x, y).depth);
     }
-    optimalSplits(depths.data(), size, size, values_.data(), count);
+    optimalSplits(depths.data(), size, size, m_values.data(), count);
 }
 
 } // namespace lvsm::quality

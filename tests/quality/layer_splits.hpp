@@ -25,17 +25,17 @@ class Splits
 public:
     Splits(const Map& map, int count, Placement placement);
 
-    int count() const { return static_cast<int>(values_.size()) - 1; }
-    int layerOf(float depth) const { return layerIndex(depth, values_.data(), count()); }
+    int count() const { return static_cast<int>(m_values.size()) - 1; }
+    int layerOf(float depth) const { return layerIndex(depth, m_values.data(), count()); }
     glm::vec2 interval(int layer) const
     {
-        return layerInterval(values_[static_cast<std::size_t>(layer)], values_[static_cast<std::size_t>(layer) + 1],
+        return layerInterval(m_values[static_cast<std::size_t>(layer)], m_values[static_cast<std::size_t>(layer) + 1],
                              0.0f);
     }
     float length(int layer) const { return interval(layer).y - interval(layer).x; }
 
 private:
-    std::vector<float> values_;
+    std::vector<float> m_values;
 };
 
 } // namespace lvsm::quality

@@ -13,21 +13,21 @@ namespace
 class Exact : public Estimator
 {
 public:
-    Exact(const std::vector<double>& kernel, bool plane) : kernel_(kernel), plane_(plane) {}
+    Exact(const std::vector<double>& kernel, bool plane) : m_kernel(kernel), m_plane(plane) {}
 
     void store(const Surface& nearest, float* texel) const override { texel[0] = nearest.depth; }
 
     float visibility(const Query& q) const override
     {
-        const int radius = static_cast<int>(kernel_.size()) / 2;
+        const int radius = static_cast<int>(m_kernel.size()) / 2;
         double lit = 0.0;
         for (int dy = -radius; dy <= radius; ++dy)
         {
             for (int dx = -radius; dx <= radius; ++dx)
             {
-                const float own = q.depth + (plane_ ? glm::dot(q.gradient, glm::vec2(dx, dy)) : 0.0f);
+                const float own = q.depth + (m_plane ? glm::dot(q.gradient, glm::vec2(dx, dy)) : 0.0f);
                 const double weight =
-                    kernel_[static_cast<std::size_t>(dx + radius)] * kernel_[static_cast<std::size_t>(dy + radius)];
+                    m_kernel[static_cast<std::size_t>(dx + radius)] * m_kernel[static_cast<std::size_t>(dy + radius)];
                 lit += weight * static_cast<double>(depthTest(q.image.texel(q.x + dx, q.y + dy)[0], own, kSameDepth));
             }
         }
@@ -35,8 +35,8 @@ public:
     }
 
 private:
-    std::vector<double> kernel_;
-    bool plane_;
+    std::vector<double> m_kernel;
+    bool m_plane;
 };
 
 } // namespace

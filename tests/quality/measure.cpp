@@ -21,20 +21,20 @@ class Sum
 public:
     void add(double weight, double error)
     {
-        weight_ += weight;
-        squares_ += weight * error * error;
-        bleed_ += weight * std::max(error, 0.0);
-        dark_ += weight * std::max(-error, 0.0);
+        m_weight += weight;
+        m_squares += weight * error * error;
+        m_bleed += weight * std::max(error, 0.0);
+        m_dark += weight * std::max(-error, 0.0);
     }
     Errors errors() const
     {
-        if (!(weight_ > 0.0))
+        if (!(m_weight > 0.0))
             return {};
-        return {weight_, std::sqrt(squares_ / weight_), bleed_ / weight_, dark_ / weight_};
+        return {m_weight, std::sqrt(m_squares / m_weight), m_bleed / m_weight, m_dark / m_weight};
     }
 
 private:
-    double weight_ = 0.0, squares_ = 0.0, bleed_ = 0.0, dark_ = 0.0;
+    double m_weight = 0.0, m_squares = 0.0, m_bleed = 0.0, m_dark = 0.0;
 };
 
 class Percentile
@@ -43,16 +43,16 @@ public:
     void add(double weight, double error)
     {
         const double bin = std::min(std::abs(error), 1.0) * (kBins - 1);
-        bins_[static_cast<std::size_t>(bin + 0.5)] += weight;
-        total_ += weight;
+        m_bins[static_cast<std::size_t>(bin + 0.5)] += weight;
+        m_total += weight;
     }
     double at(double share) const
     {
         double below = 0.0;
-        for (std::size_t i = 0; i < bins_.size(); ++i)
+        for (std::size_t i = 0; i < m_bins.size(); ++i)
         {
-            below += bins_[i];
-            if (below >= share * total_)
+            below += m_bins[i];
+            if (below >= share * m_total)
                 return static_cast<double>(i) / (kBins - 1);
         }
         return 1.0;
@@ -60,8 +60,8 @@ public:
 
 private:
     static constexpr int kBins = 4097;
-    std::vector<double> bins_ = std::vector<double>(kBins);
-    double total_ = 0.0;
+    std::vector<double> m_bins = std::vector<double>(kBins);
+    double m_total = 0.0;
 };
 
 Group lightGroup(const Receiver& r)
@@ -124,29 +124,29 @@ const std::vector<Setting>& allSettings()
 
 Judge::Judge(const Technique& technique, const Scene& scene, const std::vector<Receiver>& receivers,
              const std::vector<double>& kernel)
-    : technique_(technique), scene_(scene), receivers_(receivers),
-      kernel_(technique.taps == 1 ? kernel : binomialKernel(static_cast<int>(kernel.size()) - 2)),
-      deviation_(static_cast<float>(deviationOf(kernel_))),
-      estimator_(technique.prepare({scene.peel, kernel_, deviation_})),
-      image_(storedImage(technique, *estimator_, {scene.peel, kernel_, deviation_}))
+    : m_technique(technique), m_scene(scene), m_receivers(receivers),
+      m_kernel(technique.taps == 1 ? kernel : binomialKernel(static_cast<int>(kernel.size()) - 2)),
+      m_deviation(static_cast<float>(deviationOf(m_kernel))),
+      m_estimator(technique.prepare({scene.peel, m_kernel, m_deviation})),
+      m_image(storedImage(technique, *m_estimator, {scene.peel, m_kernel, m_deviation}))
 {
 }
 
 float Judge::atTexel(const Receiver& receiver, float depth, const Setting& setting, const float* texel) const
 {
     const glm::vec2 gradient = receiver.surface.gradient;
-    const float reach = 0.5f * std::sqrt(setting.slopeFloor) * deviation_; // the floor is of 4 deviations^2
-    return estimator_->visibility({image_, texel, receiver.x, receiver.y, depth, gradient,
-                                   receiverMinVariance(0.0f, gradient, reach),
-                                   setting.storedFloor * kRoundings * depthErrorOf(technique_.format)});
+    const float reach = 0.5f * std::sqrt(setting.slopeFloor) * m_deviation; // the floor is of 4 deviations^2
+    return m_estimator->visibility({m_image, texel, receiver.x, receiver.y, depth, gradient,
+                                    receiverMinVariance(0.0f, gradient, reach),
+                                    setting.storedFloor * kRoundings * depthErrorOf(m_technique.format)});
 }
 
 float Judge::estimate(const Receiver& receiver, const Setting& setting) const
 {
     const glm::vec2 gradient = receiver.surface.gradient;
     const float depth = shiftReceiver(receiver.surface.depth, gradient, setting.shift);
-    if (technique_.taps == 1)
-        return atTexel(receiver, depth, setting, image_.texel(receiver.x, receiver.y));
+    if (m_technique.taps == 1)
+        return atTexel(receiver, depth, setting, m_image.texel(receiver.x, receiver.y));
 
     std::array<float, kMostChannels> sample;
     float sum = 0.0f;
@@ -154,10 +154,10 @@ float Judge::estimate(const Receiver& receiver, const Setting& setting) const
     {
         const int x = receiver.x + low.x;
         const int y = receiver.y + low.y;
-        for (int c = 0; c < technique_.channels; ++c)
+        for (int c = 0; c < m_technique.channels; ++c)
         {
-            sample[static_cast<std::size_t>(c)] = 0.25f * (image_.texel(x, y)[c] + image_.texel(x + 1, y)[c] +
-                                                           image_.texel(x, y + 1)[c] + image_.texel(x + 1, y + 1)[c]);
+            sample[static_cast<std::size_t>(c)] = 0.25f * (m_image.texel(x, y)[c] + m_image.texel(x + 1, y)[c] +
+                                                           m_image.texel(x, y + 1)[c] + m_image.texel(x + 1, y + 1)[c]);
         }
         sum += atTexel(receiver, planeDepth(depth, gradient, glm::vec2(low) + 0.5f), setting, sample.data());
     }
@@ -167,9 +167,9 @@ float Judge::estimate(const Receiver& receiver, const Setting& setting) const
 double Judge::rmse(const Setting& setting, std::size_t stride) const
 {
     Sum sum;
-    for (std::size_t i = 0; i < receivers_.size(); i += stride)
+    for (std::size_t i = 0; i < m_receivers.size(); i += stride)
     {
-        const Receiver& r = receivers_[i];
+        const Receiver& r = m_receivers[i];
         sum.add(static_cast<double>(r.surface.facing), static_cast<double>(estimate(r, setting) - r.visibility));
     }
     return sum.errors().rmse;
@@ -177,14 +177,14 @@ double Judge::rmse(const Setting& setting, std::size_t stride) const
 
 Setting Judge::bestSetting() const
 {
-    const std::size_t stride = std::max<std::size_t>(1, receivers_.size() / kChoiceReceivers);
+    const std::size_t stride = std::max<std::size_t>(1, m_receivers.size() / kChoiceReceivers);
     Setting best = kPlainSetting;
     double least = rmse(best, stride);
     for (const Setting& setting : allSettings())
     {
         const Setting& first = allSettings().front();
         const bool otherFloor = setting.slopeFloor != first.slopeFloor || setting.storedFloor != first.storedFloor;
-        if (otherFloor && !technique_.floors)
+        if (otherFloor && !m_technique.floors)
             continue;
         const double error = rmse(setting, stride);
         if (error < least)
@@ -199,18 +199,18 @@ Setting Judge::bestSetting() const
 Measurement Judge::measure() const
 {
     Measurement result;
-    result.technique = technique_.name;
-    result.peer = technique_.peer;
-    result.bits = technique_.bits;
-    result.taps = technique_.taps;
-    result.scene = scene_.name;
-    result.mesh = scene_.mesh;
+    result.technique = m_technique.name;
+    result.peer = m_technique.peer;
+    result.bits = m_technique.bits;
+    result.taps = m_technique.taps;
+    result.scene = m_scene.name;
+    result.mesh = m_scene.mesh;
     result.setting = bestSetting();
     Sum all;
     Sum unweighted;
     Percentile percentile;
     std::array<Sum, kGroupNames.size()> groups;
-    for (const Receiver& r : receivers_)
+    for (const Receiver& r : m_receivers)
     {
         const double error = static_cast<double>(estimate(r, result.setting) - r.visibility);
         const double weight = static_cast<double>(r.surface.facing);

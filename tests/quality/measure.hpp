@@ -80,13 +80,13 @@ private:
     double rmse(const Setting& setting, std::size_t stride) const;
     float atTexel(const Receiver& receiver, float depth, const Setting& setting, const float* texel) const;
 
-    const Technique& technique_;
-    const Scene& scene_;
-    const std::vector<Receiver>& receivers_;
-    std::vector<double> kernel_;
-    float deviation_;
-    std::unique_ptr<Estimator> estimator_;
-    Image image_;
+    const Technique& m_technique;
+    const Scene& m_scene;
+    const std::vector<Receiver>& m_receivers;
+    std::vector<double> m_kernel;
+    float m_deviation;
+    std::unique_ptr<Estimator> m_estimator;
+    Image m_image;
 };
 
 } // namespace lvsm::quality

@@ -1,43 +1,14 @@
 #include "models.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <utility>
 
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include "model_file.hpp"
 
 namespace lvsm::quality
 {
 namespace
 {
-
-bool isFinite(glm::vec3 v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-void addMesh(Mesh& mesh, const aiMesh& source)
-{
-    for (unsigned face = 0; face < source.mNumFaces; ++face)
-    {
-        const aiFace& indices = source.mFaces[face];
-        if (indices.mNumIndices != 3)
-            continue;
-        Triangle triangle{{}, false};
-        bool usable = true;
-        for (unsigned i = 0; i < 3; ++i)
-        {
-            const aiVector3D& v = source.mVertices[indices.mIndices[i]];
-            triangle.corners[i] = glm::vec3(v.x, v.y, v.z);
-            usable = usable && isFinite(triangle.corners[i]);
-        }
-        if (usable)
-            mesh.push_back(triangle);
-    }
-}
 
 double signedVolume(const Mesh& mesh)
 {
@@ -49,52 +20,16 @@ double signedVolume(const Mesh& mesh)
     return volume;
 }
 
-void standOnGround(Mesh& mesh)
-{
-    glm::vec3 low(1e30f);
-    glm::vec3 high(-1e30f);
-    for (const Triangle& triangle : mesh)
-    {
-        for (const glm::vec3& corner : triangle.corners)
-        {
-            low = glm::min(low, corner);
-            high = glm::max(high, corner);
-        }
-    }
-    const glm::vec3 size = high - low;
-    const float scale = 1.0f / std::max({size.y, 0.1f * size.x, 0.1f * size.z, 1e-20f});
-    const glm::vec3 foot{0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z)};
-    for (Triangle& triangle : mesh)
-    {
-        for (glm::vec3& corner : triangle.corners)
-            corner = (corner - foot) * scale;
-    }
-}
-
 } // namespace
 
 support::Result<Mesh> loadModel(const std::string& path)
 {
-    const auto failure = [&](const std::string& reason)
-    {
-        return support::Failure{"cannot read the model '" + path + "': " + reason};
-    };
-    if (!std::filesystem::is_regular_file(path))
-        return failure("there is no such file");
-
-    Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene =
-        importer.ReadFile(path, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType);
-    if (scene == nullptr)
-        return failure(importer.GetErrorString());
-
+    const auto model = support::loadModel(path, 1.0f, 10.0f);
+    if (!model)
+        return support::Failure{model.error()};
     Mesh mesh;
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i)
-        addMesh(mesh, *scene->mMeshes[i]);
-    if (mesh.empty())
-        return failure("it holds no triangles");
-    standOnGround(mesh);
+    for (const support::ModelTriangle& t : *model)
+        mesh.push_back({{t.corners[0], t.corners[1], t.corners[2]}, false});
     if (signedVolume(mesh) < 0.0)
     {
         for (Triangle& triangle : mesh)

@@ -15,14 +15,14 @@ namespace lvsm::quality
 class Random
 {
 public:
-    explicit Random(unsigned seed) : generator_(seed) {}
+    explicit Random(unsigned seed) : m_generator(seed) {}
     float uniform(float low, float high)
     {
-        return low + (high - low) * (static_cast<float>(generator_() >> 8) * 0x1p-24f);
+        return low + (high - low) * (static_cast<float>(m_generator() >> 8) * 0x1p-24f);
     }
 
 private:
-    std::mt19937 generator_;
+    std::mt19937 m_generator;
 };
 
 /// Reads a model and stands it on the ground at the origin, of height 1 or width 10; y is up. Its faces are turned

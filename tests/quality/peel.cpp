@@ -5,16 +5,16 @@
 namespace lvsm::quality
 {
 
-Peel::Peel(int size, std::vector<std::vector<Surface>> texels) : size_(size)
+Peel::Peel(int size, std::vector<std::vector<Surface>> texels) : m_size(size)
 {
-    first_.reserve(texels.size() + 1);
-    first_.push_back(0);
+    m_first.reserve(texels.size() + 1);
+    m_first.push_back(0);
     for (std::vector<Surface>& surfaces : texels)
     {
         std::stable_sort(surfaces.begin(), surfaces.end(),
                          [](const Surface& a, const Surface& b) { return a.depth < b.depth; });
-        surfaces_.insert(surfaces_.end(), surfaces.begin(), surfaces.end());
-        first_.push_back(surfaces_.size());
+        m_surfaces.insert(m_surfaces.end(), surfaces.begin(), surfaces.end());
+        m_first.push_back(m_surfaces.size());
     }
 }
 

@@ -27,9 +27,9 @@ public:
     /// Surfaces of each texel, row by row, in any order; sorted here, nearest first.
     Peel(int size, std::vector<std::vector<Surface>> texels);
 
-    int size() const { return size_; }
-    const Surface* begin(int x, int y) const { return surfaces_.data() + first_[texelIndex(x, y, size_)]; }
-    const Surface* end(int x, int y) const { return surfaces_.data() + first_[texelIndex(x, y, size_) + 1]; }
+    int size() const { return m_size; }
+    const Surface* begin(int x, int y) const { return m_surfaces.data() + m_first[texelIndex(x, y, m_size)]; }
+    const Surface* end(int x, int y) const { return m_surfaces.data() + m_first[texelIndex(x, y, m_size) + 1]; }
 
     /// What the shadow map holds: the nearest surface, or depth 1.
     Surface nearest(int x, int y) const { return begin(x, y) == end(x, y) ? kNothing : *begin(x, y); }
@@ -37,9 +37,9 @@ public:
     static constexpr Surface kNothing{1.0f, {0.0f, 0.0f}, 0.0f};
 
 private:
-    int size_;
-    std::vector<std::size_t> first_;
-    std::vector<Surface> surfaces_;
+    int m_size;
+    std::vector<std::size_t> m_first;
+    std::vector<Surface> m_surfaces;
 };
 
 struct Scene

@@ -1,10 +1,8 @@
 #include "report.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <system_error>
-
 #include <nlohmann/json.hpp>
+
+#include "whole_file.hpp"
 
 namespace lvsm::quality
 {
@@ -50,23 +48,7 @@ std::optional<std::string> writeJson(const Run& run, const std::string& path)
     for (const Measurement& m : run.measurements)
         rows.push_back(row(m, run.seed));
 
-    const std::filesystem::path target(path);
-    const std::filesystem::path part(path + ".part");
-    std::error_code error;
-    if (target.has_parent_path())
-        std::filesystem::create_directories(target.parent_path(), error);
-    std::ofstream file(part);
-    file << rows.dump(1) << '\n';
-    file.close();
-    if (!file)
-    {
-        std::filesystem::remove(part, error);
-        return "cannot write '" + path + "'";
-    }
-    std::filesystem::rename(part, target, error);
-    if (error)
-        return "cannot write '" + path + "': " + error.message();
-    return std::nullopt;
+    return support::writeWholeFile(path, rows.dump(1) + '\n');
 }
 
 } // namespace lvsm::quality

@@ -23,15 +23,15 @@ public:
         for (const Measurement& m : measurements)
         {
             const std::string name = columnOf(m);
-            if (std::find(names_.begin(), names_.end(), name) == names_.end())
-                names_.push_back(name);
-            mesh_ = mesh_ || m.mesh;
+            if (std::find(m_names.begin(), m_names.end(), name) == m_names.end())
+                m_names.push_back(name);
+            m_mesh = m_mesh || m.mesh;
         }
-        if (mesh_)
-            names_.push_back(kMean);
+        if (m_mesh)
+            m_names.push_back(kMean);
     }
 
-    const std::vector<std::string>& names() const { return names_; }
+    const std::vector<std::string>& names() const { return m_names; }
 
     using Row = std::map<std::string, double>;
 
@@ -58,7 +58,7 @@ public:
     /// What techniques are ordered by: the meshes, or the only scenes there are.
     double rank(const Row& row) const
     {
-        if (mesh_)
+        if (m_mesh)
             return row.at(kMean);
         double sum = 0.0;
         for (const auto& [name, value] : row)
@@ -73,8 +73,8 @@ private:
     }
 
     static constexpr const char* kMean = "mesh mean";
-    std::vector<std::string> names_;
-    bool mesh_ = false;
+    std::vector<std::string> m_names;
+    bool m_mesh = false;
 };
 
 struct Line

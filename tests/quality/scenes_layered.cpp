@@ -12,16 +12,16 @@ namespace
 class Layers
 {
 public:
-    Layers(int size, unsigned seed) : size_(size), random_(seed), texels_(texelIndex(0, size, size)) {}
+    Layers(int size, unsigned seed) : m_size(size), m_random(seed), m_texels(texelIndex(0, size, size)) {}
 
-    float u() { return uniform_(random_); }
-    float extent() const { return static_cast<float>(size_); }
+    float u() { return m_uniform(m_random); }
+    float extent() const { return static_cast<float>(m_size); }
 
     void ground(float depth, float slopeY)
     {
-        for (int y = 0; y < size_; ++y)
+        for (int y = 0; y < m_size; ++y)
         {
-            for (int x = 0; x < size_; ++x)
+            for (int x = 0; x < m_size; ++x)
                 add(x, y, depth + slopeY * static_cast<float>(y), slopeY);
         }
     }
@@ -51,19 +51,19 @@ public:
         fill({0.0f, 0.0f}, {extent(), extent()}, depth, covers);
     }
 
-    Scene scene(const std::string& name) && { return {name, Peel(size_, std::move(texels_)), false}; }
+    Scene scene(const std::string& name) && { return {name, Peel(m_size, std::move(m_texels)), false}; }
 
 private:
     void add(int x, int y, float depth, float slopeY)
     {
-        texels_[texelIndex(x, y, size_)].push_back({depth, {0.0f, slopeY}, 1.0f});
+        m_texels[texelIndex(x, y, m_size)].push_back({depth, {0.0f, slopeY}, 1.0f});
     }
 
     void fill(glm::vec2 low, glm::vec2 high, float depth, const std::function<bool(int, int)>& covers)
     {
-        for (int y = std::max(0, static_cast<int>(low.y)); y < size_ && static_cast<float>(y) <= high.y; ++y)
+        for (int y = std::max(0, static_cast<int>(low.y)); y < m_size && static_cast<float>(y) <= high.y; ++y)
         {
-            for (int x = std::max(0, static_cast<int>(low.x)); x < size_ && static_cast<float>(x) <= high.x; ++x)
+            for (int x = std::max(0, static_cast<int>(low.x)); x < m_size && static_cast<float>(x) <= high.x; ++x)
             {
                 if (covers(x, y))
                     add(x, y, depth, 0.0f);
@@ -71,10 +71,10 @@ private:
         }
     }
 
-    int size_;
-    std::mt19937 random_;
-    std::uniform_real_distribution<float> uniform_{0.0f, 1.0f};
-    std::vector<std::vector<Surface>> texels_;
+    int m_size;
+    std::mt19937 m_random;
+    std::uniform_real_distribution<float> m_uniform{0.0f, 1.0f};
+    std::vector<std::vector<Surface>> m_texels;
 };
 
 // Each draw is a statement of its own: the order of a call's arguments is the compiler's.

@@ -18,19 +18,19 @@ class Layers : public Estimator
 {
 public:
     Layers(const Map& map, Splits splits, Format format)
-        : splits_(std::move(splits)), deviation_(map.deviation), compact_(format == Format::Unorm8)
+        : m_splits(std::move(splits)), m_deviation(map.deviation), m_compact(format == Format::Unorm8)
     {
     }
 
     void store(const Surface& nearest, float* texel) const override
     {
-        for (int i = 0; i < splits_.count(); ++i)
+        for (int i = 0; i < m_splits.count(); ++i)
         {
-            const glm::vec2 slope = ownSlope(nearest) / splits_.length(i);
-            const float warped = layerWarp(nearest.depth, splits_.interval(i));
+            const glm::vec2 slope = ownSlope(nearest) / m_splits.length(i);
+            const float warped = layerWarp(nearest.depth, m_splits.interval(i));
             const bool inside = warped > 0.0f && warped < 1.0f;
             const glm::vec2 moments = inside ? depthMomentsSloped(warped, slope.x, slope.y) : depthMoments(warped);
-            const glm::vec2 kept = compact_ ? compactMoments(moments) : moments;
+            const glm::vec2 kept = m_compact ? compactMoments(moments) : moments;
             texel[2 * i] = kept.x;
             texel[2 * i + 1] = kept.y;
         }
@@ -42,10 +42,10 @@ protected:
     {
         if (layer < 0)
             return glm::vec2(1.0f);
-        if (layer >= splits_.count())
+        if (layer >= m_splits.count())
             return glm::vec2(0.0f);
         const glm::vec2 kept(q.texel[2 * layer], q.texel[2 * layer + 1]);
-        return compact_ ? expandMoments(kept) : kept;
+        return m_compact ? expandMoments(kept) : kept;
     }
 
     float minVariance(const Query& q, float length) const
@@ -53,11 +53,11 @@ protected:
         return std::max(q.slopeVariance, q.storedVariance * length * length);
     }
 
-    Splits splits_;
-    float deviation_;
+    Splits m_splits;
+    float m_deviation;
 
 private:
-    bool compact_;
+    bool m_compact;
 };
 
 class PaperLayers : public Layers
@@ -66,9 +66,9 @@ public:
     using Layers::Layers;
     float visibility(const Query& q) const override
     {
-        const int layer = splits_.layerOf(q.depth);
-        return layeredVisibility(moments(q, layer), q.depth, splits_.interval(layer),
-                                 minVariance(q, splits_.length(layer)));
+        const int layer = m_splits.layerOf(q.depth);
+        return layeredVisibility(moments(q, layer), q.depth, m_splits.interval(layer),
+                                 minVariance(q, m_splits.length(layer)));
     }
 };
 
@@ -78,9 +78,9 @@ public:
     using Layers::Layers;
     float visibility(const Query& q) const override
     {
-        const int layer = splits_.layerOf(q.depth);
+        const int layer = m_splits.layerOf(q.depth);
         return bracketedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
-                                   splits_.interval(layer), minVariance(q, splits_.length(layer)));
+                                   m_splits.interval(layer), minVariance(q, m_splits.length(layer)));
     }
 };
 
@@ -90,9 +90,9 @@ public:
     using Layers::Layers;
     float visibility(const Query& q) const override
     {
-        const int layer = splits_.layerOf(q.depth);
+        const int layer = m_splits.layerOf(q.depth);
         return bracketedBoundedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
-                                          splits_.interval(layer), minVariance(q, splits_.length(layer)));
+                                          m_splits.interval(layer), minVariance(q, m_splits.length(layer)));
     }
 };
 
@@ -103,21 +103,21 @@ public:
     using Layers::Layers;
     float visibility(const Query& q) const override
     {
-        const float variance = planeVariance(q.gradient, deviation_);
+        const float variance = planeVariance(q.gradient, m_deviation);
         const float reach = std::sqrt(variance);
-        const int first = splits_.layerOf(q.depth - reach);
-        const int last = splits_.layerOf(q.depth + reach);
-        const float begin = splits_.interval(first).x;
-        const float length = splits_.interval(last).y - begin;
+        const int first = m_splits.layerOf(q.depth - reach);
+        const int last = m_splits.layerOf(q.depth + reach);
+        const float begin = m_splits.interval(first).x;
+        const float length = m_splits.interval(last).y - begin;
 
         glm::vec2 own = moments(q, first);
-        float merged = splits_.length(first);
+        float merged = m_splits.length(first);
         float ownCovariance = covariance(q, first) * merged / length;
         for (int i = first + 1; i <= last; ++i)
         {
-            own = mergeLayers(own, moments(q, i), merged, splits_.length(i));
-            merged += splits_.length(i);
-            ownCovariance += covariance(q, i) * splits_.length(i) / length;
+            own = mergeLayers(own, moments(q, i), merged, m_splits.length(i));
+            merged += m_splits.length(i);
+            ownCovariance += covariance(q, i) * m_splits.length(i) / length;
         }
         const glm::vec3 covariances(covariance(q, first - 1), ownCovariance, covariance(q, last + 1));
         return planeBracketedVisibility(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
@@ -127,13 +127,13 @@ public:
 private:
     float covariance(const Query& q, int layer) const
     {
-        if (layer < 0 || layer >= splits_.count())
+        if (layer < 0 || layer >= m_splits.count())
             return 0.0f;
         const auto mean = [&](int dx, int dy)
         {
             return q.image.texel(q.x + dx, q.y + dy)[2 * layer];
         };
-        return planeCovariance(glm::vec4(mean(1, 0), mean(-1, 0), mean(0, 1), mean(0, -1)), q.gradient, deviation_);
+        return planeCovariance(glm::vec4(mean(1, 0), mean(-1, 0), mean(0, 1), mean(0, -1)), q.gradient, m_deviation);
     }
 };
 

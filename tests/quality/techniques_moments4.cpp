@@ -26,50 +26,51 @@ glm::vec4 kept(const float* texel, bool encoded)
 class Msm4 : public Estimator
 {
 public:
-    Msm4(bool encoded, float bias) : encoded_(encoded), bias_(bias) {}
+    Msm4(bool encoded, float bias) : m_encoded(encoded), m_bias(bias) {}
     void store(const Surface& nearest, float* texel) const override
     {
-        keep(depthMoments4(nearest.depth), encoded_, texel);
+        keep(depthMoments4(nearest.depth), m_encoded, texel);
     }
     float visibility(const Query& q) const override
     {
-        return momentVisibility4(kept(q.texel, encoded_), q.depth, bias_);
+        return momentVisibility4(kept(q.texel, m_encoded), q.depth, m_bias);
     }
 
 private:
-    bool encoded_;
-    float bias_;
+    bool m_encoded;
+    float m_bias;
 };
 
 /// Four moments a layer, 16 bits each.
 class LayeredMsm4 : public Estimator
 {
 public:
-    explicit LayeredMsm4(Splits splits) : splits_(std::move(splits)) {}
+    explicit LayeredMsm4(Splits splits) : m_splits(std::move(splits)) {}
 
     void store(const Surface& nearest, float* texel) const override
     {
-        for (int i = 0; i < splits_.count(); ++i)
+        for (int i = 0; i < m_splits.count(); ++i)
         {
-            keep(layerMoments4(nearest.depth, splits_.interval(i)), true, texel + 4 * i);
+            keep(layerMoments4(nearest.depth, m_splits.interval(i)), true, texel + 4 * i);
         }
     }
 
     float visibility(const Query& q) const override
     {
-        const int layer = splits_.layerOf(q.depth);
+        const int layer = m_splits.layerOf(q.depth);
         const auto moments = [&](int i)
         {
             return kept(q.texel + 4 * i, true);
         };
         const glm::vec4 front = layer > 0 ? moments(layer - 1) : glm::vec4(1.0f);
-        const glm::vec4 behind = layer + 1 < splits_.count() ? moments(layer + 1) : glm::vec4(-1.0f, 1.0f, -1.0f, 1.0f);
-        return bracketedVisibility4(front, moments(layer), behind, q.depth, splits_.interval(layer),
+        const glm::vec4 behind =
+            layer + 1 < m_splits.count() ? moments(layer + 1) : glm::vec4(-1.0f, 1.0f, -1.0f, 1.0f);
+        return bracketedVisibility4(front, moments(layer), behind, q.depth, m_splits.interval(layer),
                                     kMoment4BiasUnorm16<float>);
     }
 
 private:
-    Splits splits_;
+    Splits m_splits;
 };
 
 } // namespace

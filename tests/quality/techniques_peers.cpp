@@ -11,15 +11,15 @@ namespace
 class Esm : public Estimator
 {
 public:
-    explicit Esm(float exponent) : exponent_(exponent) {}
+    explicit Esm(float exponent) : m_exponent(exponent) {}
     void store(const Surface& nearest, float* texel) const override
     {
-        texel[0] = occluderTerm(nearest.depth, exponent_);
+        texel[0] = occluderTerm(nearest.depth, m_exponent);
     }
-    float visibility(const Query& q) const override { return exponentialShadow(q.texel[0], q.depth, exponent_); }
+    float visibility(const Query& q) const override { return exponentialShadow(q.texel[0], q.depth, m_exponent); }
 
 private:
-    float exponent_;
+    float m_exponent;
 };
 
 /// Eight bits a term, four sines and then four cosines at a time.
@@ -27,17 +27,17 @@ class Csm : public Estimator
 {
 public:
     Csm(int order, float strength, bool offset)
-        : order_(order), strength_(strength), offset_(offset ? fourierOffset<float>(order) : 0.0f),
-          scale_(offset ? 1.0f : 2.0f)
+        : m_order(order), m_strength(strength), m_offset(offset ? fourierOffset<float>(order) : 0.0f),
+          m_scale(offset ? 1.0f : 2.0f)
     {
     }
 
     void store(const Surface& nearest, float* texel) const override
     {
-        for (int first = 1; first <= order_; first += 4, texel += 8)
+        for (int first = 1; first <= m_order; first += 4, texel += 8)
         {
-            const glm::vec4 sines = encodeFourier(fourierSines(nearest.depth, first, order_));
-            const glm::vec4 cosines = encodeFourier(fourierCosines(nearest.depth, first, order_));
+            const glm::vec4 sines = encodeFourier(fourierSines(nearest.depth, first, m_order));
+            const glm::vec4 cosines = encodeFourier(fourierCosines(nearest.depth, first, m_order));
             for (int i = 0; i < 4; ++i)
             {
                 texel[i] = sines[i];
@@ -53,19 +53,19 @@ public:
             return decodeFourier(glm::vec4(t[0], t[1], t[2], t[3]));
         };
         float sum = 0.0f;
-        for (int first = 1; first <= order_; first += 4)
+        for (int first = 1; first <= m_order; first += 4)
         {
             const float* terms = q.texel + 2 * (first - 1);
-            sum += fourierSum(decoded(terms), decoded(terms + 4), q.depth, offset_, first, order_, strength_);
+            sum += fourierSum(decoded(terms), decoded(terms + 4), q.depth, m_offset, first, m_order, m_strength);
         }
-        return fourierVisibility(sum, scale_);
+        return fourierVisibility(sum, m_scale);
     }
 
 private:
-    int order_;
-    float strength_;
-    float offset_;
-    float scale_;
+    int m_order;
+    float m_strength;
+    float m_offset;
+    float m_scale;
 };
 
 } // namespace

@@ -30,41 +30,41 @@ public:
 class Evsm2 : public Estimator
 {
 public:
-    explicit Evsm2(float exponent) : exponent_(exponent) {}
+    explicit Evsm2(float exponent) : m_exponent(exponent) {}
     void store(const Surface& nearest, float* texel) const override
     {
-        const glm::vec4 moments = exponentialMoments(nearest.depth, glm::vec2(exponent_, 0.0f));
+        const glm::vec4 moments = exponentialMoments(nearest.depth, glm::vec2(m_exponent, 0.0f));
         texel[0] = moments.x;
         texel[1] = moments.y;
     }
     float visibility(const Query& q) const override
     {
-        return exponentialVisibility2(glm::vec2(q.texel[0], q.texel[1]), q.depth, exponent_,
+        return exponentialVisibility2(glm::vec2(q.texel[0], q.texel[1]), q.depth, m_exponent,
                                       std::max(q.slopeVariance, q.storedVariance));
     }
 
 private:
-    float exponent_;
+    float m_exponent;
 };
 
 class Evsm4 : public Estimator
 {
 public:
-    Evsm4(float positive, float negative) : exponents_(positive, negative) {}
+    Evsm4(float positive, float negative) : m_exponents(positive, negative) {}
     void store(const Surface& nearest, float* texel) const override
     {
-        const glm::vec4 moments = exponentialMoments(nearest.depth, exponents_);
+        const glm::vec4 moments = exponentialMoments(nearest.depth, m_exponents);
         for (int i = 0; i < 4; ++i)
             texel[i] = moments[i];
     }
     float visibility(const Query& q) const override
     {
-        return exponentialVisibility4(glm::vec4(q.texel[0], q.texel[1], q.texel[2], q.texel[3]), q.depth, exponents_,
+        return exponentialVisibility4(glm::vec4(q.texel[0], q.texel[1], q.texel[2], q.texel[3]), q.depth, m_exponents,
                                       std::max(q.slopeVariance, q.storedVariance));
     }
 
 private:
-    glm::vec2 exponents_;
+    glm::vec2 m_exponents;
 };
 
 } // namespace

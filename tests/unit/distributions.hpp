@@ -23,7 +23,7 @@ public:
         for (int left = kSteps, i = 0; left > 0; ++i)
         {
             const int share = i + 1 < atoms ? random.between(1, left) : left;
-            share_[random.between(0, kSteps)] += share;
+            m_share[random.between(0, kSteps)] += share;
             left -= share;
         }
     }
@@ -35,8 +35,8 @@ public:
         int second = 0;
         for (int depth = 0; depth <= kSteps; ++depth)
         {
-            first += share_[depth] * depth;
-            second += share_[depth] * depth * depth;
+            first += m_share[depth] * depth;
+            second += m_share[depth] * depth * depth;
         }
         return {T(first) / T(kSteps * kSteps), T(second) / T(kSteps * kSteps * kSteps)};
     }
@@ -47,7 +47,7 @@ public:
     {
         int sum = 0;
         for (int depth = step; depth <= kSteps; ++depth)
-            sum += share_[depth];
+            sum += m_share[depth];
         return T(sum) / T(kSteps);
     }
 
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    int share_[kSteps + 1] = {};
+    int m_share[kSteps + 1] = {};
 };
 
 // The variance on its own: as a difference it would lose its digits even here.
@@ -92,21 +92,21 @@ public:
         Exact sum = 0;
         for (int i = 0; i < atoms; ++i)
         {
-            depths_.push_back(std::clamp(centre + spread * (random.unit<T>() - T(0.5)), T(0), T(1)));
-            shares_.push_back(Exact(random.unit<T>()) + Exact(0.001));
-            sum += shares_.back();
+            m_depths.push_back(std::clamp(centre + spread * (random.unit<T>() - T(0.5)), T(0), T(1)));
+            m_shares.push_back(Exact(random.unit<T>()) + Exact(0.001));
+            sum += m_shares.back();
         }
-        for (Exact& share : shares_)
+        for (Exact& share : m_shares)
             share /= sum;
     }
 
-    const std::vector<T>& depths() const { return depths_; }
+    const std::vector<T>& depths() const { return m_depths; }
 
     Exact tail(T t) const
     {
         Exact sum = 0;
-        for (std::size_t i = 0; i < depths_.size(); ++i)
-            sum += depths_[i] >= t ? shares_[i] : 0;
+        for (std::size_t i = 0; i < m_depths.size(); ++i)
+            sum += m_depths[i] >= t ? m_shares[i] : 0;
         return sum;
     }
 
@@ -115,21 +115,21 @@ public:
     ExactMoments moments(const Warp& warp) const
     {
         ExactMoments result;
-        for (std::size_t i = 0; i < depths_.size(); ++i)
-            result.mean += shares_[i] * Exact(warp(depths_[i]));
-        for (std::size_t i = 0; i < depths_.size(); ++i)
+        for (std::size_t i = 0; i < m_depths.size(); ++i)
+            result.mean += m_shares[i] * Exact(warp(m_depths[i]));
+        for (std::size_t i = 0; i < m_depths.size(); ++i)
         {
-            const Exact warped = warp(depths_[i]);
+            const Exact warped = warp(m_depths[i]);
             const Exact distance = warped - result.mean;
-            result.second += shares_[i] * warped * warped;
-            result.variance += shares_[i] * distance * distance;
+            result.second += m_shares[i] * warped * warped;
+            result.variance += m_shares[i] * distance * distance;
         }
         return result;
     }
 
 private:
-    std::vector<T> depths_;
-    std::vector<Exact> shares_;
+    std::vector<T> m_depths;
+    std::vector<Exact> m_shares;
 };
 
 // The least that rounding can make of a bound that in exact arithmetic holds: chebyshevUpperBound of moments that were

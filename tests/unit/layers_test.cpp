@@ -373,14 +373,14 @@ template <typename T>
 class IndexAgreement
 {
 public:
-    explicit IndexAgreement(int layerCount) : count_(layerCount), splits_(uniformSplits<T>(layerCount)) {}
+    explicit IndexAgreement(int layerCount) : m_count(layerCount), m_splits(uniformSplits<T>(layerCount)) {}
 
     void claimAt(T depth, Tally& tally) const
     {
-        const auto truth = std::upper_bound(splits_.begin() + 1, splits_.end() - 1, depth) - (splits_.begin() + 1);
-        tally.claim(uniformLayerIndex(depth, count_) == truth, depth, count_);
-        if (count_ <= 64)
-            tally.claim(layerIndex(depth, splits_.data(), count_) == truth, depth, count_);
+        const auto truth = std::upper_bound(m_splits.begin() + 1, m_splits.end() - 1, depth) - (m_splits.begin() + 1);
+        tally.claim(uniformLayerIndex(depth, m_count) == truth, depth, m_count);
+        if (m_count <= 64)
+            tally.claim(layerIndex(depth, m_splits.data(), m_count) == truth, depth, m_count);
     }
 
     void claimAround(T depth, int neighbours, Tally& tally) const
@@ -395,11 +395,11 @@ public:
         }
     }
 
-    const std::vector<T>& splits() const { return splits_; }
+    const std::vector<T>& splits() const { return m_splits; }
 
 private:
-    int count_;
-    std::vector<T> splits_;
+    int m_count;
+    std::vector<T> m_splits;
 };
 
 TEST_CASE_TEMPLATE("uniformLayerIndex agrees with layerIndex around every split of 1 to 64 layers", T, float, double)

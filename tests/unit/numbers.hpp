@@ -48,23 +48,26 @@ Bits<T> bitsOf(T value)
 class Random
 {
 public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    explicit Random(std::uint64_t seed) : m_engine(seed) {}
 
-    int between(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+    int between(int low, int high)
+    {
+        return low + static_cast<int>(m_engine() % static_cast<unsigned>(high - low + 1));
+    }
 
     // In [0,1), as fine as T holds.
     template <typename T>
     T unit()
     {
         constexpr int digits = std::numeric_limits<T>::digits;
-        return std::ldexp(static_cast<T>(engine_() >> (64 - digits)), -digits);
+        return std::ldexp(static_cast<T>(m_engine() >> (64 - digits)), -digits);
     }
 
     // Any bit pattern, NaN and infinity included.
     template <typename T>
     T pattern()
     {
-        const auto bits = static_cast<Bits<T>>(engine_() >> (64 - 8 * sizeof(T)));
+        const auto bits = static_cast<Bits<T>>(m_engine() >> (64 - 8 * sizeof(T)));
         T value;
         std::memcpy(&value, &bits, sizeof value);
         return value;
@@ -80,7 +83,7 @@ public:
     }
 
 private:
-    std::mt19937_64 engine_;
+    std::mt19937_64 m_engine;
 };
 
 // Where arithmetic turns: ends, subnormals, the library's own limits, overflow, infinity and NaN.
@@ -130,28 +133,28 @@ public:
     template <typename... Values>
     void claim(bool holds, const Values&... values)
     {
-        ++claims_;
-        if (!holds && failures_++ == 0)
+        ++m_claims;
+        if (!holds && m_failures++ == 0)
         {
             std::ostringstream text;
             text.precision(20);
             ((text << values << ' '), ...);
-            first_ = text.str();
+            m_first = text.str();
         }
     }
 
     // That no claim was made must not pass either.
-    bool holds() const { return claims_ > 0 && failures_ == 0; }
+    bool holds() const { return m_claims > 0 && m_failures == 0; }
 
     std::string summary() const
     {
-        return std::to_string(failures_) + " of " + std::to_string(claims_) + " failed, first at " + first_;
+        return std::to_string(m_failures) + " of " + std::to_string(m_claims) + " failed, first at " + m_first;
     }
 
 private:
-    long claims_ = 0;
-    long failures_ = 0;
-    std::string first_;
+    long m_claims = 0;
+    long m_failures = 0;
+    std::string m_first;
 };
 
 } // namespace lvsm::unit
