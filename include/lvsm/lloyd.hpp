@@ -230,7 +230,8 @@ RelaxResult<T> relax(const OccluderHistogram& histogram, T* splits, int layerCou
         if (inPairs)
         {
             const glm::vec<2, int> pair = scheduledSplits(result.iterations, layerCount);
-            movement = max(relaxation.moveSplits(pair.x, pair.x), relaxation.moveSplits(pair.y, pair.y));
+            movement = relaxation.moveSplits(pair.x, pair.x); // before the other: arguments have no order
+            movement = max(movement, relaxation.moveSplits(pair.y, pair.y));
         }
         else
             movement = relaxation.moveSplits(1, inner);
