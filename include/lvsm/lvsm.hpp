@@ -24,7 +24,7 @@
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
-// filter; on the host also lloyd and optimal. A whole use, in each language:
+// filter; on the host also lloyd, optimal and passes. A whole use, in each language:
 //
 // C++
 //
@@ -95,6 +95,7 @@
 #include "moments.hpp"
 #include "moments4.hpp"
 #include "optimal.hpp"
+#include "passes.hpp"
 #include "pcf.hpp"
 #include "placement.hpp"
 #include "plane.hpp"

@@ -89,7 +89,7 @@ def wrappers(root):
             for language, suffixes in (("glsl", (".comp", ".frag", ".glsl")), ("hlsl", (".hlsl", ".hlsli")))}
     programs = "".join(path.read_text() for path in sorted(tests.glob("*.cpp")) + sorted(tests.glob("*.py")))
     for language in ("glsl", "hlsl"):
-        for path in sorted((root / language / "lvsm/sampling").glob("*")):
+        for path in sorted(path for path in (root / language / "lvsm/sampling").rglob("*") if path.is_file()):
             names = re.findall(r"^(?:///[^\n]*\n)+[\w<>]+ (lvsm_\w+)\(", path.read_text(), re.MULTILINE)
             for name in names:
                 if not re.search(rf"\b{name}\b", code[language]):

@@ -55,6 +55,8 @@ private:
 };
 
 bool checkWrappers(VulkanContext& context, const Form& form);
+bool checkBorders(VulkanContext& context, const Form& form);
+bool checkBlurredEsm(VulkanContext& context, const Form& form);
 bool checkBlur(VulkanContext& context, const Form& form);
 bool checkStore(VulkanContext& context, const Form& form);
 

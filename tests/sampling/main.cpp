@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 namespace sampling
 {
@@ -40,6 +41,11 @@ lvsm::support::ShaderOptions optionsOf(const Form& form, vk::ShaderStageFlagBits
 Shader compile(const Form& form, const std::string& path, vk::ShaderStageFlagBits stage, const std::string& entryPoint,
                const std::string& macros)
 {
+    // Every device runs the same.
+    static std::map<std::string, Shader> compiled;
+    const std::string key = form.name + path + entryPoint + macros;
+    if (const auto found = compiled.find(key); found != compiled.end())
+        return found->second;
     lvsm::support::ShaderOptions options = optionsOf(form, stage, entryPoint, macros);
     options.name = path;
     const auto spirv = form.name == "dxc"
@@ -47,7 +53,7 @@ Shader compile(const Form& form, const std::string& path, vk::ShaderStageFlagBit
                            : lvsm::support::compileShaderFile(path, options);
     if (!spirv)
         fail(spirv.error());
-    return {*spirv, entryPoint};
+    return compiled[key] = {*spirv, entryPoint};
 }
 
 float Random::next()
@@ -85,6 +91,12 @@ constexpr int kSkipped = 77;
 
 using Check = bool (*)(sampling::VulkanContext&, const sampling::Form&);
 
+const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappers},
+                                              {"borders", sampling::checkBorders},
+                                              {"esm_of_blurred_map", sampling::checkBlurredEsm},
+                                              {"blur", sampling::checkBlur},
+                                              {"store", sampling::checkStore}};
+
 int runOnDevices(Check check, const sampling::Form& form, const std::vector<std::string>& devices)
 {
     int ran = 0;
@@ -117,9 +129,7 @@ int main(int argc, char** argv)
     std::string what;
     std::vector<std::string> devices = {"llvmpipe", "SwiftShader"};
     CLI::App app("Runs what reads and writes textures, and compares with the library's C++ functions.");
-    app.add_option("what", what, "wrappers, blur or store")
-        ->required()
-        ->check(CLI::IsMember({"wrappers", "blur", "store"}));
+    app.add_option("what", what, "what to check")->required()->check(CLI::IsMember(kChecks));
     app.add_option("form", form.name, "combined or separate (GLSL), glslang or dxc (HLSL)")
         ->required()
         ->check(CLI::IsMember({"combined", "separate", "glslang", "dxc"}));
@@ -135,12 +145,9 @@ int main(int argc, char** argv)
         std::printf("skip: no dxc\n");
         return kSkipped;
     }
-    const Check check = what == "wrappers" ? sampling::checkWrappers
-                        : what == "blur"   ? sampling::checkBlur
-                                           : sampling::checkStore;
     try
     {
-        return runOnDevices(check, form, devices);
+        return runOnDevices(kChecks.at(what), form, devices);
     }
     catch (const std::exception& error)
     {

@@ -19,11 +19,14 @@ constexpr float kSplits[] = {0.0f, 0.25f, 0.5f, 0.75f, 1.0f};
 using Vec2 = glm::dvec2;
 using Vec4 = glm::dvec4;
 
+// exponent, threshold: of ESM.
 struct Receiver
 {
     Vec2 uv;
     double depth;
-    int level;
+    int level = 0;
+    double exponent = kExponent;
+    double threshold = 0.02;
 };
 
 struct Maps
@@ -31,7 +34,21 @@ struct Maps
     Pixels depths{kSize, kSize, 1, 2};
     Pixels layers{kSize, kSize, kLayers / 2, 2};
     Pixels terms{kSize, kSize, 1, 2};
+    // The terms under a box of 3 x 3.
+    Pixels blurred{kSize, kSize, 1, 2};
 };
+
+void blurTerms(Maps& maps, int level)
+{
+    const int size = kSize >> level;
+    for (int i = 0; i < size * size; ++i)
+    {
+        glm::vec4 sum(0);
+        for (int k = 0; k < 9; ++k)
+            sum += maps.terms.at(i % size + k % 3 - 1, i / size + k / 3 - 1, 0, level);
+        maps.blurred.at(i % size, i / size, 0, level) = sum / 9.0f;
+    }
+}
 
 Maps makeMaps()
 {
@@ -55,6 +72,7 @@ Maps makeMaps()
                 maps.layers.at(x, y, layer / 2, level) = lvsm::packLayers(moments(layer), moments(layer + 1));
             }
         }
+        blurTerms(maps, level);
     }
     return maps;
 }
@@ -81,45 +99,45 @@ Vec2 cornerOf(Vec2 uv, double size)
     return glm::floor(uv * size - 0.5);
 }
 
-Vec4 filtered(const Pixels& map, Vec2 uv, int slice, int level)
+// A texel, or border off the map, of the first slices' first level or any other.
+Vec4 texelOrBorder(const Pixels& map, int x, int y, int slice, int level, Vec4 border)
 {
-    const double size = map.width >> level;
+    const int size = kSize >> level;
+    return x >= 0 && y >= 0 && x < size && y < size ? Vec4(map.at(x, y, slice, level)) : border;
+}
+
+// Bilinear among texels, as if border lay around the map.
+Vec4 filtered(const Pixels& map, Vec2 uv, int slice, int level, Vec4 border)
+{
+    const double size = kSize >> level;
     const Vec2 corner = cornerOf(uv, size);
     const Vec2 f = uv * size - 0.5 - corner;
     const int x = static_cast<int>(corner.x);
     const int y = static_cast<int>(corner.y);
     const auto texel = [&](int dx, int dy)
     {
-        return Vec4(map.at(x + dx, y + dy, slice, level));
+        return texelOrBorder(map, x + dx, y + dy, slice, level, border);
     };
     const Vec4 top = texel(0, 0) * (1 - f.x) + texel(1, 0) * f.x;
     const Vec4 bottom = texel(0, 1) * (1 - f.x) + texel(1, 1) * f.x;
     return top * (1 - f.y) + bottom * f.y;
 }
 
-bool isOnMap(Vec2 uv)
-{
-    return uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1;
-}
-
-double texelOrBorder(const Pixels& map, int x, int y, int slice, double border)
-{
-    const bool on = x >= 0 && y >= 0 && x < kSize && y < kSize;
-    return on ? static_cast<double>(map.at(x, y, slice).x) : border;
-}
-
 Vec4 gathered(const Pixels& map, Vec2 uv, int slice, double border)
 {
     const int x = static_cast<int>(cornerOf(uv, kSize).x);
     const int y = static_cast<int>(cornerOf(uv, kSize).y);
-    return {texelOrBorder(map, x, y, slice, border), texelOrBorder(map, x + 1, y, slice, border),
-            texelOrBorder(map, x, y + 1, slice, border), texelOrBorder(map, x + 1, y + 1, slice, border)};
+    const auto texel = [&](int dx, int dy)
+    {
+        return texelOrBorder(map, x + dx, y + dy, slice, 0, Vec4(border)).x;
+    };
+    return {texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1)};
 }
 
 double layerVisibility(const Maps& maps, const Receiver& receiver, int layer)
 {
     const Vec2 interval = lvsm::layerInterval<double>(kSplits[layer], kSplits[layer + 1], 0.0625);
-    const Vec4 texel = isOnMap(receiver.uv) ? filtered(maps.layers, receiver.uv, layer / 2, receiver.level) : Vec4(1);
+    const Vec4 texel = filtered(maps.layers, receiver.uv, layer / 2, receiver.level, Vec4(1));
     return lvsm::layeredVisibility(lvsm::unpackLayer(texel, layer), receiver.depth, interval, 0.01);
 }
 
@@ -137,18 +155,16 @@ double layersVisibility(const Maps& maps, const Receiver& receiver)
 // By its definition: every texel of the map and around it, compared with the plane and weighted by the box.
 double pcfVisibility(const Maps& maps, const Receiver& receiver)
 {
-    if (!isOnMap(receiver.uv))
-        return 1;
     const Vec2 position = receiver.uv * double(kSize) - 0.5;
     double lit = 0;
-    for (int y = -4; y < kSize + 4; ++y)
+    for (int y = -8; y < kSize + 8; ++y)
     {
-        for (int x = -4; x < kSize + 4; ++x)
+        for (int x = -8; x < kSize + 8; ++x)
         {
             const Vec2 offset = Vec2(x, y) - position;
             const double weight = lvsm::boxWeight(offset.x, 3.5) * lvsm::boxWeight(offset.y, 3.5);
             const double plane = lvsm::planeDepth(receiver.depth, Vec2(0.01, -0.02), offset);
-            lit += weight * lvsm::depthTest(texelOrBorder(maps.depths, x, y, 0, 1), plane, 0.001);
+            lit += weight * lvsm::depthTest(texelOrBorder(maps.depths, x, y, 0, 0, Vec4(1)).x, plane, 0.001);
         }
     }
     return lit;
@@ -156,24 +172,29 @@ double pcfVisibility(const Maps& maps, const Receiver& receiver)
 
 double esmVisibility(const Maps& maps, const Receiver& receiver)
 {
-    const double empty = lvsm::occluderTerm(1.0, kExponent);
-    const double occluder = isOnMap(receiver.uv) ? filtered(maps.terms, receiver.uv, 0, receiver.level).x : empty;
-    if (!lvsm::violatesThreshold(occluder, receiver.depth, kExponent, 0.02))
-        return lvsm::exponentialShadow(occluder, receiver.depth, kExponent);
+    const double exponent = receiver.exponent;
+    const double empty = lvsm::occluderTerm(1.0, exponent);
+    const double occluder = filtered(maps.blurred, receiver.uv, 0, receiver.level, Vec4(empty)).x;
+    if (!lvsm::violatesThreshold(occluder, receiver.depth, exponent, receiver.threshold))
+        return lvsm::exponentialShadow(occluder, receiver.depth, exponent);
     const Vec2 fraction = receiver.uv * double(kSize) - 0.5 - cornerOf(receiver.uv, kSize);
-    return lvsm::exponentialShadow2x2(gathered(maps.terms, receiver.uv, 0, empty), fraction, receiver.depth, kExponent);
+    return lvsm::exponentialShadow2x2(gathered(maps.terms, receiver.uv, 0, empty), fraction, receiver.depth, exponent);
 }
 
-std::vector<Binding> bind(const Form& form, const Texture (&textures)[3], vk::Sampler sampler)
+// The maps at bindings 2 to 5, and in HLSL at 12 to 15 and 22 to 25, where they are of other types.
+std::vector<Binding> bind(const Form& form, const Texture (&textures)[4], vk::Sampler sampler)
 {
     const bool combined = form.name == "combined";
     const auto type = combined ? vk::DescriptorType::eCombinedImageSampler : vk::DescriptorType::eSampledImage;
     const vk::Sampler own = combined ? sampler : vk::Sampler();
-    std::vector<Binding> bindings{{2, type, {}, *textures[0].flat, own},
-                                  {3, type, {}, *textures[1].array, own},
-                                  {4, type, {}, *textures[2].flat, own}};
+    std::vector<Binding> bindings;
+    for (std::uint32_t first = 2; first <= (form.isHlsl() ? 22 : 2); first += 10)
+    {
+        for (std::uint32_t i = 0; i < 4; ++i)
+            bindings.push_back({first + i, type, {}, i == 1 ? *textures[i].array : *textures[i].flat, own});
+    }
     if (!combined)
-        bindings.push_back({5, vk::DescriptorType::eSampler, {}, {}, sampler});
+        bindings.push_back({6, vk::DescriptorType::eSampler, {}, {}, sampler});
     return bindings;
 }
 
@@ -182,33 +203,47 @@ std::vector<float> run(VulkanContext& context, const Form& form, const Maps& map
 {
     std::vector<glm::vec4> inputs;
     for (const Receiver& receiver : receivers)
+    {
         inputs.emplace_back(receiver.uv, receiver.depth, std::ldexp(1.0, receiver.level) / kSize);
+        inputs.emplace_back(receiver.exponent, receiver.threshold, 0, 0);
+    }
     const Texture textures[] = {makeTexture(context, maps.depths), makeTexture(context, maps.layers),
-                                makeTexture(context, maps.terms)};
+                                makeTexture(context, maps.terms), makeTexture(context, maps.blurred)};
     const auto sampler = makeSampler(context);
     const Buffer input = makeBufferOf(context, inputs);
-    const Buffer output = makeBufferOf(context, std::vector<float>(inputs.size() * kResults));
+    const Buffer output = makeBufferOf(context, std::vector<float>(receivers.size() * kResults));
     std::vector<Binding> bindings = bind(form, textures, *sampler);
     bindings.push_back({0, vk::DescriptorType::eStorageBuffer, *input.buffer});
     bindings.push_back({1, vk::DescriptorType::eStorageBuffer, *output.buffer});
     const Shader shader =
         compile(form, form.kernelFolder + (form.isHlsl() ? "/wrappers.hlsl" : "/wrappers.comp"),
                 vk::ShaderStageFlagBits::eCompute, "main", form.name == "separate" ? "#define SEPARATE\n" : "");
-    dispatch(context, shader, bindings, static_cast<std::uint32_t>(inputs.size()), 1, 1);
+    dispatch(context, shader, bindings, static_cast<std::uint32_t>(receivers.size()), 1, 1);
     const auto* results = reinterpret_cast<const float*>(output.data);
-    return {results, results + inputs.size() * kResults};
+    return {results, results + receivers.size() * kResults};
 }
 
-} // namespace
-
-bool checkWrappers(VulkanContext& context, const Form& form)
+// From three texels inside the map to three outside, in 16ths of a texel: over each edge, and over two corners.
+std::vector<Receiver> makeWalk()
 {
-    const Maps maps = makeMaps();
-    const std::vector<Receiver> receivers = makeReceivers();
-    const std::vector<float> results = run(context, form, maps, receivers);
+    std::vector<Receiver> receivers;
+    Random random;
+    for (int step = -48; step <= 48; ++step)
+    {
+        const double low = step / 16.0 / kSize;
+        const double high = 1 - low;
+        for (const Vec2 uv : {Vec2(low, 0.453125), Vec2(high, 0.453125), Vec2(0.703125, low), Vec2(0.703125, high),
+                              Vec2(low, low), Vec2(high, low)})
+            receivers.push_back({uv, static_cast<double>(random.next())});
+    }
+    return receivers;
+}
 
-    Comparison samples("samples");
-    Comparison gathers("gathers");
+bool compare(VulkanContext& context, const Form& form, const Maps& maps, const std::vector<Receiver>& receivers)
+{
+    const std::vector<float> results = run(context, form, maps, receivers);
+    Comparison samples("sampleMap and sampleMapArray");
+    Comparison gathers("gatherMap and gatherMapArray");
     Comparison fractions("mapFraction");
     Comparison layers("sampleLayers");
     Comparison pcf("samplePcf");
@@ -217,20 +252,20 @@ bool checkWrappers(VulkanContext& context, const Form& form)
     {
         const Receiver& receiver = receivers[i];
         const float* result = &results[i * kResults];
-        const std::string where = "uv 64ths " + std::to_string(receiver.uv.x * 64) + ' ' +
-                                  std::to_string(receiver.uv.y * 64) + " depth " + std::to_string(receiver.depth) +
+        const std::string where = "texel " + std::to_string(receiver.uv.x * kSize) + ' ' +
+                                  std::to_string(receiver.uv.y * kSize) + " depth " + std::to_string(receiver.depth) +
                                   " level " + std::to_string(receiver.level);
-        const bool on = isOnMap(receiver.uv);
-        const Vec4 texel = on ? filtered(maps.depths, receiver.uv, 0, receiver.level) : Vec4(1, 2, 3, 4);
-        const Vec4 slice = on ? filtered(maps.layers, receiver.uv, 1, receiver.level) : Vec4(1, 2, 3, 4);
+        const Vec4 border(1, 2, 3, 4);
+        const Vec4 texel = filtered(maps.depths, receiver.uv, 0, receiver.level, border);
+        const Vec4 slice = filtered(maps.layers, receiver.uv, 1, receiver.level, border);
         const Vec4 corners = gathered(maps.depths, receiver.uv, 0, 5);
         const Vec4 sliceCorners = gathered(maps.layers, receiver.uv, 1, 5);
         const double rounding = 1.0 / (1 << 21);
         for (int c = 0; c < 4; ++c)
         {
-            // Weights in 16ths are exact; three products and sums of numbers up to 1 in each direction are not.
-            samples.expect(static_cast<double>(result[c]), texel[c], rounding, where);
-            samples.expect(static_cast<double>(result[4 + c]), slice[c], rounding, where);
+            // Weights in 16ths are exact; three products and sums of numbers up to 4 in each direction are not.
+            samples.expect(static_cast<double>(result[c]), texel[c], 4 * rounding, where);
+            samples.expect(static_cast<double>(result[4 + c]), slice[c], 4 * rounding, where);
             gathers.expect(static_cast<double>(result[8 + c]), corners[c], 0, where);
             gathers.expect(static_cast<double>(result[12 + c]), sliceCorners[c], 0, where);
         }
@@ -242,14 +277,46 @@ bool checkWrappers(VulkanContext& context, const Form& form)
         layers.expect(static_cast<double>(result[18]), layersVisibility(maps, receiver), 10 * rounding / 0.07, where);
         // Weights of 25 texels, each with a few roundings of numbers up to 8, over the width.
         pcf.expect(static_cast<double>(result[19]), pcfVisibility(maps, receiver), 25 * 8 * rounding, where);
-        // Two exponentials of up to 20: each is 3 + 2 * 20 units in the last place off.
-        esm.expect(static_cast<double>(result[20]), esmVisibility(maps, receiver), 2 * 43.0 / (1 << 23) + rounding,
-                   where);
+        // Two exponentials of up to the exponent: each is 3 + 2 * exponent units in the last place off.
+        esm.expect(static_cast<double>(result[20]), esmVisibility(maps, receiver),
+                   2 * (3 + 2 * receiver.exponent) / (1 << 23) + rounding, where);
     }
     bool passed = samples.passed();
     for (const Comparison* comparison : {&gathers, &fractions, &layers, &pcf, &esm})
         passed = comparison->passed() && passed;
     return passed;
+}
+
+} // namespace
+
+bool checkWrappers(VulkanContext& context, const Form& form)
+{
+    return compare(context, form, makeMaps(), makeReceivers());
+}
+
+bool checkBorders(VulkanContext& context, const Form& form)
+{
+    return compare(context, form, makeMaps(), makeWalk());
+}
+
+// A window that is lit in one eighth, at depth 0.9 beside 0.3: the blurred terms alone would have it lit all over.
+bool checkBlurredEsm(VulkanContext& context, const Form& form)
+{
+    Receiver receiver{Vec2(4.0, 3.75) / double(kSize), 0.6};
+    receiver.exponent = 80;
+    const float dark = lvsm::occluderTerm(0.3f, 80.0f);
+    const float lit = lvsm::occluderTerm(0.9f, 80.0f);
+    Maps maps = makeMaps();
+    std::fill(maps.terms.texels.begin(), maps.terms.texels.end(), glm::vec4(dark));
+    std::fill(maps.blurred.texels.begin(), maps.blurred.texels.end(), glm::vec4(0.875f * dark + 0.125f * lit));
+    // Between texels 3 and 4 in x, a quarter of the way from 3 to 4 in y.
+    maps.terms.at(3, 4) = glm::vec4(lit);
+
+    Comparison shadow("sampleEsm of a blurred map");
+    const float result = run(context, form, maps, {receiver})[20];
+    // Bilinear weights in eighths are exact; the dark texels' e^-24 is next to nothing.
+    shadow.expect(static_cast<double>(result), 0.125, 1.0 / (1 << 21), "7/8 at depth 0.3, 1/8 at 0.9");
+    return shadow.passed();
 }
 
 } // namespace sampling

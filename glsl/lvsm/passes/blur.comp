@@ -1,31 +1,29 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, passes/blur.
+// Needs: passes/blur.
 #extension GL_GOOGLE_include_directive : require
 // One direction of a separable blur of a map, or of all slices of an array of maps, of 1 to 4 components.
 //
-// Run it twice, with direction (1, 0) from the map to a second one and with (0, 1) back, over groups of 8 x 8 texels
-// and one slice each. The map's sampler filters linearly and clamps to the edge; its format must allow that, which
-// 16-bit formats do everywhere. LVSM_BLUR_SIZE is the number of taps (9); LVSM_BLUR_SIGMA, where defined, makes the
-// binomial filter a Gaussian; LVSM_BLUR_FORMAT is the target's format.
+// Run it twice, from the map to a second one and back, with what blurPasses of include/lvsm/passes.hpp gives: the block,
+// and how many groups of 8 x 8 texels and one slice. LVSM_BLUR_FORMAT is the target's format.
+// GLSL ES 3.10: put `#version 310 es` in the first line's place, and the preamble of sampling/common.glsl after it.
 #include "blur.glsl"
 
 #ifndef LVSM_BLUR_FORMAT
 #define LVSM_BLUR_FORMAT rgba16f
 #endif
+#ifndef LVSM_BLUR_TARGET
+#error define all of LVSM_BLUR_SOURCE, LVSM_BLUR_TARGET and LVSM_BLUR_BLOCK, or none
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2DArray lvsm_source;
-layout(binding = 1, LVSM_BLUR_FORMAT) uniform writeonly image2DArray lvsm_target;
-layout(binding = 2, std140) uniform lvsm_Blur
-{
-    vec2 lvsm_direction;
-};
+LVSM_BLUR_SOURCE uniform highp sampler2DArray lvsm_source;
+LVSM_BLUR_TARGET layout(LVSM_BLUR_FORMAT) uniform writeonly highp image2DArray lvsm_target;
 
 void main()
 {
-    ivec3 texel = ivec3(gl_GlobalInvocationID);
-    if (all(lessThan(texel, imageSize(lvsm_target))))
-        imageStore(lvsm_target, texel, lvsm_blurredTexel(lvsm_source, texel, lvsm_direction));
+    ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(lvsm_region.xy, lvsm_slice);
+    if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
+        imageStore(lvsm_target, texel, lvsm_blurredTexel(lvsm_source, texel));
 }

@@ -1,39 +1,71 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter.
+// Needs: no other.
 // One texel of a separable blur, for blur.comp and blur.frag.
+//
+// The kernel comes from the host: blurPasses of include/lvsm/passes.hpp fills the block for both directions, and says
+// how many groups to run and which rectangle to draw. What is off the map is empty, as sampling/common.glsl has it.
+// The map's sampler filters linearly, which 16-bit formats allow everywhere; a kernel that is not paired does without.
 #ifndef LVSM_PASSES_BLUR_GLSL
 #define LVSM_PASSES_BLUR_GLSL
 
-#include "../filter.glsl"
-
-// Number of taps, odd, up to 65; 9 taps cost 5 fetches.
-#ifndef LVSM_BLUR_SIZE
-#define LVSM_BLUR_SIZE 9
+// Where the resources are: define all of these or none, in front of this file. Vulkan's descriptor sets go in here, too:
+//   #define LVSM_BLUR_SOURCE layout(set = 1, binding = 4)
+#if defined(LVSM_BLUR_SOURCE) != defined(LVSM_BLUR_BLOCK)
+#error define all of LVSM_BLUR_SOURCE, LVSM_BLUR_BLOCK and, for blur.comp, LVSM_BLUR_TARGET, or none
+#elif !defined(LVSM_BLUR_SOURCE) && (__VERSION__ < 310 || !defined(GL_ES) && __VERSION__ < 420)
+#define LVSM_BLUR_SOURCE
+#define LVSM_BLUR_BLOCK layout(std140)
+#elif !defined(LVSM_BLUR_SOURCE)
+#define LVSM_BLUR_SOURCE layout(binding = 0)
+#define LVSM_BLUR_TARGET layout(binding = 1)
+#define LVSM_BLUR_BLOCK layout(binding = 2, std140)
 #endif
 
-// Offset from the texel's centre, in texels, and weight of a fetch: binomial, or Gaussian with LVSM_BLUR_SIGMA texels.
-vec2 lvsm_blurTap(int fetch)
+// How many fetches a texel takes; a constant, which has to be that of the kernel, lets the compiler unroll them:
+//   #define LVSM_BLUR_FETCHES 5
+#ifndef LVSM_BLUR_FETCHES
+#define LVSM_BLUR_FETCHES lvsm_fetchCount
+#endif
+
+// BlurBlock of include/lvsm/passes.hpp.
+LVSM_BLUR_BLOCK uniform lvsm_Blur
 {
-#ifdef LVSM_BLUR_SIGMA
-    return lvsm_gaussianTap(fetch, LVSM_BLUR_SIZE, LVSM_BLUR_SIGMA);
-#else
-    return lvsm_binomialTap(fetch, LVSM_BLUR_SIZE);
-#endif
-}
+    // What an empty texel holds.
+    vec4 lvsm_border;
+    // First texel and end of the map: a whole texture, or its rectangle of an atlas.
+    ivec4 lvsm_map;
+    // First texel and end of what the compute shader writes.
+    ivec4 lvsm_region;
+    // (1, 0) or (0, 1).
+    vec2 lvsm_direction;
+    // The slice that is blurred; for the compute shader the first one.
+    int lvsm_slice;
+    int lvsm_fetchCount;
+    // Offset in texels and weight of two fetches each.
+    vec4 lvsm_taps[33];
+};
 
-// source: filters linearly and clamps to its edge. texel: of its level 0. direction: (1, 0) or (0, 1).
-vec4 lvsm_blurredTexel(sampler2DArray source, ivec3 texel, vec2 direction)
+vec4 lvsm_blurredTexel(highp sampler2DArray source, ivec3 texel)
 {
     vec2 size = vec2(textureSize(source, 0).xy);
+    vec2 centre = vec2(texel.xy) + 0.5;
+    float at = dot(centre, lvsm_direction);
+    float first = dot(vec2(lvsm_map.xy), lvsm_direction) + 0.5;
+    float last = dot(vec2(lvsm_map.zw), lvsm_direction) - 0.5;
     vec4 sum = vec4(0.0);
-    for (int fetch = 0; fetch <= (LVSM_BLUR_SIZE - 1) / 2; ++fetch)
+    float empty = 0.0;
+    for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
     {
-        vec2 tap = lvsm_blurTap(fetch);
-        vec2 position = vec2(texel.xy) + 0.5 + tap.x * direction;
-        sum += tap.y * textureLod(source, vec3(position / size, float(texel.z)), 0.0);
+        vec4 two = lvsm_taps[fetch >> 1];
+        vec2 tap = (fetch & 1) == 0 ? two.xy : two.zw;
+        float inside = clamp(at + tap.x, first, last);
+        float beyond = min(abs(at + tap.x - inside), 1.0);
+        vec2 position = centre + (inside - at) * lvsm_direction;
+        sum += tap.y * (1.0 - beyond) * textureLod(source, vec3(position / size, float(texel.z)), 0.0);
+        empty += tap.y * beyond;
     }
-    return sum;
+    return sum + empty * lvsm_border;
 }
 
 #endif

@@ -5,22 +5,28 @@
 #extension GL_GOOGLE_include_directive : require
 // Makes every slice of a map from one texture of unwarped depths, in [0,1] and 1 where there is no surface.
 //
-// Run it over groups of 8 x 8 texels and one slice each, then blur. LVSM_STORE says what a slice holds, see store.glsl;
-// LVSM_STORE_FORMAT is the target's format. Of the uniforms, only the default LVSM_STORE reads splits, layerCount and
-// overlap.
+// Run it with what storePass of include/lvsm/passes.hpp gives, the block and how many groups of 8 x 8 texels and one
+// slice, then blur. LVSM_STORE says what a slice holds, see store.glsl; LVSM_STORE_FORMAT is the target's format. Of the
+// block, only the default LVSM_STORE reads splits, layerCount and overlap.
+// GLSL ES 3.10: put `#version 310 es` in the first line's place, and the preamble of sampling/common.glsl after it.
 #include "store.glsl"
 
 #ifndef LVSM_STORE_FORMAT
 #define LVSM_STORE_FORMAT rgba16f
 #endif
+#ifndef LVSM_STORE_TARGET
+#error define all of LVSM_STORE_DEPTHS, LVSM_STORE_TARGET and LVSM_STORE_BLOCK, or none
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D lvsm_depths;
-layout(binding = 1, LVSM_STORE_FORMAT) uniform writeonly image2DArray lvsm_target;
+LVSM_STORE_DEPTHS uniform highp sampler2D lvsm_depths;
+LVSM_STORE_TARGET layout(LVSM_STORE_FORMAT) uniform writeonly highp image2DArray lvsm_target;
 
 void main()
 {
-    ivec3 texel = ivec3(gl_GlobalInvocationID);
-    if (all(lessThan(texel, imageSize(lvsm_target))))
-        imageStore(lvsm_target, texel, LVSM_STORE(texelFetch(lvsm_depths, texel.xy, 0).x, texel.z));
+    int slice = int(gl_GlobalInvocationID.z);
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + lvsm_region.xy;
+    if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
+        imageStore(lvsm_target, ivec3(texel, lvsm_firstSlice + slice),
+                   lvsm_storedTexel(texelFetch(lvsm_depths, texel, 0).x, slice));
 }

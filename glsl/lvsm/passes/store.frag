@@ -3,16 +3,19 @@
 // Copyright (c) 2026 lvsm contributors
 // Needs: lvsm, passes/store.
 #extension GL_GOOGLE_include_directive : require
-// Makes one slice of a map, the one that the uniform lvsm_slice names, from one texture of unwarped depths, in [0,1]
-// and 1 where there is no surface.
+// Makes one slice of a map, the one that the block's lvsm_slice names, from one texture of unwarped depths, in [0,1] and
+// 1 where there is no surface.
 //
-// Draw it over a whole target of the texture's size, then blur. LVSM_STORE says what a slice holds, see store.glsl.
+// Draw it with what storePass of include/lvsm/passes.hpp gives, the block and the rectangle of the target to draw over,
+// then blur. LVSM_STORE says what a slice holds, see store.glsl.
+// GLSL 3.30, ES 3.00 and WebGL2: put their #version in the first line's place, and in ES the preamble of
+// sampling/common.glsl after it.
 #include "store.glsl"
 
-layout(binding = 0) uniform sampler2D lvsm_depths;
+LVSM_STORE_DEPTHS uniform highp sampler2D lvsm_depths;
 layout(location = 0) out vec4 lvsm_result;
 
 void main()
 {
-    lvsm_result = LVSM_STORE(texelFetch(lvsm_depths, ivec2(gl_FragCoord.xy), 0).x, lvsm_slice);
+    lvsm_result = lvsm_storedTexel(texelFetch(lvsm_depths, ivec2(gl_FragCoord.xy), 0).x, lvsm_slice);
 }

@@ -1,43 +1,56 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter.
+// Needs: no other.
 // One direction of a separable blur of maps of 1 to 4 components: entry points lvsm_blurCompute and lvsm_blurPixel.
 //
-// Run it twice, with direction (1, 0) from the map to a second one and with (0, 1) back: lvsm_blurCompute over groups
-// of 8 x 8 texels and one slice of the array each, or lvsm_blurPixel over a whole target of the map's size, for one
-// slice, lvsm_slice.
-// The map's sampler filters linearly and clamps to the edge; its format must allow that, which 16-bit formats do
-// everywhere. LVSM_BLUR_SIZE is the number of taps (9); LVSM_BLUR_SIGMA, where defined, makes the binomial filter a
-// Gaussian. The registers' numbers differ, so that they serve as Vulkan's bindings too; there LVSM_BLUR_FORMAT may name
-// the target's format, such as "rgba16f".
-#include "../filter.hlsli"
+// Run it twice, from the map to a second one and back, with what blurPasses of include/lvsm/passes.hpp gives: the
+// constant buffer, and either how many groups of 8 x 8 texels and one slice of the array lvsm_blurCompute runs over, or
+// the rectangle of the target over which to draw lvsm_blurPixel, for one slice. What is off the map is empty, as
+// sampling/common.hlsli has it. The map's sampler filters linearly, which 16-bit formats allow everywhere; a kernel that
+// is not paired does without. In Vulkan, LVSM_BLUR_FORMAT may name the target's format, such as "rgba16f".
 
-// Number of taps, odd, up to 65; 9 taps cost 5 fetches.
-#ifndef LVSM_BLUR_SIZE
-#define LVSM_BLUR_SIZE 9
+// Where the resources are: define all of these or none, in front of this file. The numbers differ, so that they serve as
+// Vulkan's bindings too; a space goes in here as well:
+//   #define LVSM_BLUR_SOURCE t4, space1
+#if defined(LVSM_BLUR_SOURCE) && defined(LVSM_BLUR_TARGET) && defined(LVSM_BLUR_BLOCK) && defined(LVSM_BLUR_SAMPLER)
+#elif defined(LVSM_BLUR_SOURCE) || defined(LVSM_BLUR_TARGET) || defined(LVSM_BLUR_BLOCK) || defined(LVSM_BLUR_SAMPLER)
+#error define all of LVSM_BLUR_SOURCE, LVSM_BLUR_TARGET, LVSM_BLUR_BLOCK and LVSM_BLUR_SAMPLER, or none
+#else
+#define LVSM_BLUR_SOURCE t0
+#define LVSM_BLUR_TARGET u1
+#define LVSM_BLUR_BLOCK b2
+#define LVSM_BLUR_SAMPLER s3
 #endif
 
-Texture2DArray<float4> lvsm_source : register(t0);
+// How many fetches a texel takes; a constant, which has to be that of the kernel, lets the compiler unroll them:
+//   #define LVSM_BLUR_FETCHES 5
+#ifndef LVSM_BLUR_FETCHES
+#define LVSM_BLUR_FETCHES lvsm_fetchCount
+#endif
+
+Texture2DArray<float4> lvsm_source : register(LVSM_BLUR_SOURCE);
 #ifdef LVSM_BLUR_FORMAT
 [[vk::image_format(LVSM_BLUR_FORMAT)]]
 #endif
-RWTexture2DArray<float4> lvsm_target : register(u1);
-cbuffer lvsm_Blur : register(b2)
+RWTexture2DArray<float4> lvsm_target : register(LVSM_BLUR_TARGET);
+// BlurBlock of include/lvsm/passes.hpp.
+cbuffer lvsm_Blur : register(LVSM_BLUR_BLOCK)
 {
+    // What an empty texel holds.
+    float4 lvsm_border;
+    // First texel and end of the map: a whole texture, or its rectangle of an atlas.
+    int4 lvsm_map;
+    // First texel and end of what the compute shader writes.
+    int4 lvsm_region;
+    // (1, 0) or (0, 1).
     float2 lvsm_direction;
+    // The slice that is blurred; for the compute shader the first one.
     int lvsm_slice;
+    int lvsm_fetchCount;
+    // Offset in texels and weight of two fetches each.
+    float4 lvsm_taps[33];
 };
-SamplerState lvsm_filtering : register(s3);
-
-// Offset from the texel's centre, in texels, and weight of a fetch: binomial, or Gaussian with LVSM_BLUR_SIGMA texels.
-float2 lvsm_blurTap(int fetch)
-{
-#ifdef LVSM_BLUR_SIGMA
-    return lvsm_gaussianTap(fetch, LVSM_BLUR_SIZE, LVSM_BLUR_SIGMA);
-#else
-    return lvsm_binomialTap(fetch, LVSM_BLUR_SIZE);
-#endif
-}
+SamplerState lvsm_filtering : register(LVSM_BLUR_SAMPLER);
 
 float4 lvsm_blurredTexel(int3 texel)
 {
@@ -46,25 +59,32 @@ float4 lvsm_blurredTexel(int3 texel)
     uint slices;
     lvsm_source.GetDimensions(width, height, slices);
     float2 size = float2(float(width), float(height));
+    float2 centre = float2(texel.xy) + 0.5;
+    float at = dot(centre, lvsm_direction);
+    float first = dot(float2(lvsm_map.xy), lvsm_direction) + 0.5;
+    float last = dot(float2(lvsm_map.zw), lvsm_direction) - 0.5;
     float4 sum = float4(0.0, 0.0, 0.0, 0.0);
-    for (int fetch = 0; fetch <= (LVSM_BLUR_SIZE - 1) / 2; ++fetch)
+    float empty = 0.0;
+    for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
     {
-        float2 tap = lvsm_blurTap(fetch);
-        float2 position = float2(texel.xy) + 0.5 + tap.x * lvsm_direction;
-        sum += tap.y * lvsm_source.SampleLevel(lvsm_filtering, float3(position / size, float(texel.z)), 0.0);
+        float4 two = lvsm_taps[fetch >> 1];
+        float2 tap = (fetch & 1) == 0 ? two.xy : two.zw;
+        float inside = clamp(at + tap.x, first, last);
+        float beyond = min(abs(at + tap.x - inside), 1.0);
+        float2 position = centre + (inside - at) * lvsm_direction;
+        sum += tap.y * (1.0 - beyond) *
+               lvsm_source.SampleLevel(lvsm_filtering, float3(position / size, float(texel.z)), 0.0);
+        empty += tap.y * beyond;
     }
-    return sum;
+    return sum + empty * lvsm_border;
 }
 
 [numthreads(8, 8, 1)]
 void lvsm_blurCompute(uint3 id : SV_DispatchThreadID)
 {
-    uint width;
-    uint height;
-    uint slices;
-    lvsm_target.GetDimensions(width, height, slices);
-    if (id.x < width && id.y < height && id.z < slices)
-        lvsm_target[id] = lvsm_blurredTexel(int3(id));
+    int3 texel = int3(id) + int3(lvsm_region.xy, lvsm_slice);
+    if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
+        lvsm_target[uint3(texel)] = lvsm_blurredTexel(texel);
 }
 
 float4 lvsm_blurPixel(float4 position : SV_Position) : SV_Target

@@ -6,23 +6,41 @@
 // Lauritzen & McCool, Layered Variance Shadow Maps, section 5, the second way to make the layers.
 //
 // Entry points: lvsm_storeCompute makes every slice, over groups of 8 x 8 texels and one slice each; lvsm_storePixel
-// makes one slice, lvsm_slice, over a whole target of the texture's size. Then blur. LVSM_STORE says what a slice
-// holds; only its default reads splits, layerCount and overlap. The registers' numbers differ, so that they serve as Vulkan's
-// bindings too; there LVSM_STORE_FORMAT may name the target's format, such as "rgba16f".
+// makes one slice, lvsm_slice. storePass of include/lvsm/passes.hpp fills the constant buffer, and says how many groups
+// to run and which rectangle to draw. Then blur. LVSM_STORE says what a slice holds; only its default reads splits,
+// layerCount and overlap. In Vulkan, LVSM_STORE_FORMAT may name the target's format, such as "rgba16f".
 #include "../lvsm.hlsli"
 
-Texture2D<float4> lvsm_depths : register(t0);
+// Where the resources are: define all of these or none, in front of this file. The numbers differ, so that they serve as
+// Vulkan's bindings too; a space goes in here as well:
+//   #define LVSM_STORE_DEPTHS t4, space1
+#if defined(LVSM_STORE_DEPTHS) && defined(LVSM_STORE_TARGET) && defined(LVSM_STORE_BLOCK)
+#elif defined(LVSM_STORE_DEPTHS) || defined(LVSM_STORE_TARGET) || defined(LVSM_STORE_BLOCK)
+#error define all of LVSM_STORE_DEPTHS, LVSM_STORE_TARGET and LVSM_STORE_BLOCK, or none
+#else
+#define LVSM_STORE_DEPTHS t0
+#define LVSM_STORE_TARGET u1
+#define LVSM_STORE_BLOCK b2
+#endif
+
+Texture2D<float4> lvsm_depths : register(LVSM_STORE_DEPTHS);
 #ifdef LVSM_STORE_FORMAT
 [[vk::image_format(LVSM_STORE_FORMAT)]]
 #endif
-RWTexture2DArray<float4> lvsm_target : register(u1);
-cbuffer lvsm_Store : register(b2)
+RWTexture2DArray<float4> lvsm_target : register(LVSM_STORE_TARGET);
+// StoreBlock of include/lvsm/passes.hpp.
+cbuffer lvsm_Store : register(LVSM_STORE_BLOCK)
 {
-    // The splits 0 to LVSM_MAX_LAYERS, four to a vector.
-    float4 lvsm_splits[(LVSM_MAX_LAYERS + 4) / 4];
+    // First texel and end of what the compute shader writes.
+    int4 lvsm_region;
     int lvsm_layerCount;
     float lvsm_overlap;
+    // The slice of the target where the compute shader begins to write the map.
+    int lvsm_firstSlice;
+    // The slice of the map that the pixel shader makes.
     int lvsm_slice;
+    // The splits 0 to LVSM_MAX_LAYERS, four to a vector.
+    float4 lvsm_splits[(LVSM_MAX_LAYERS + 4) / 4];
 };
 
 // Moments of one layer; a layer beyond the last is empty.
@@ -35,25 +53,37 @@ float2 lvsm_storedLayer(float depth, int layer)
     return lvsm_layerMoments(depth, lvsm_layerInterval(begin, end, lvsm_overlap));
 }
 
-// What slice number slice of the array holds for a depth: two layers. Define it for another technique, such as
+// What slice number slice of the map holds for a depth: two layers, in [0,1], which every format bears. Define it for
+// another technique, together with the largest value that the target's format bears: all is clamped to it, so that no
+// texel is infinite. In 16-bit floats, exponents end at 5.545:
+//   #define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, float2(5.54, 5.54))
+//   #define LVSM_STORE_LARGEST LVSM_LARGEST_FP16
+// and in 32 bits at 43.32:
 //   #define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, float2(42.0, 10.0))
+//   #define LVSM_STORE_LARGEST LVSM_LARGEST_FP32
 #ifndef LVSM_STORE
 #define LVSM_STORE(depth, slice) \
     lvsm_packLayers(lvsm_storedLayer(depth, 2 * (slice)), lvsm_storedLayer(depth, 2 * (slice) + 1))
+#define LVSM_STORE_LARGEST 1.0
+#elif !defined(LVSM_STORE_LARGEST)
+#error define LVSM_STORE_LARGEST together with LVSM_STORE: the largest value that the format of the target bears
 #endif
+
+float4 lvsm_storedTexel(float depth, int slice)
+{
+    return clamp(LVSM_STORE(depth, slice), -LVSM_STORE_LARGEST, LVSM_STORE_LARGEST);
+}
 
 [numthreads(8, 8, 1)]
 void lvsm_storeCompute(uint3 id : SV_DispatchThreadID)
 {
-    uint width;
-    uint height;
-    uint slices;
-    lvsm_target.GetDimensions(width, height, slices);
-    if (id.x < width && id.y < height && id.z < slices)
-        lvsm_target[id] = LVSM_STORE(lvsm_depths.Load(int3(int2(id.xy), 0)).x, int(id.z));
+    int2 texel = int2(id.xy) + lvsm_region.xy;
+    if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
+        lvsm_target[uint3(texel, lvsm_firstSlice + int(id.z))] =
+            lvsm_storedTexel(lvsm_depths.Load(int3(texel, 0)).x, int(id.z));
 }
 
 float4 lvsm_storePixel(float4 position : SV_Position) : SV_Target
 {
-    return LVSM_STORE(lvsm_depths.Load(int3(int2(position.xy), 0)).x, lvsm_slice);
+    return lvsm_storedTexel(lvsm_depths.Load(int3(int2(position.xy), 0)).x, lvsm_slice);
 }

@@ -1,189 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, esm, depth, moments, layers, pcf, receiver.
+// Needs: config, filter, esm, sampling/common, sampling/separate/maps, sampling/separate/esm, depth, moments, layers, sampling/separate/layers, pcf, receiver, sampling/separate/pcf.
 // Reading shadow maps from textures and samplers.
 //
-// A map is filtered linearly, wraps by clamping to its edge, and its texture coordinates go from 0 to 1. What lies off
-// the map is lit: there a sample is what an empty texel holds, border, such as depthMoments(1).
+// A map is filtered linearly, wraps by clamping to its edge, and its texture coordinates go from 0 to 1. What is off
+// the map is empty, and so lit: common.hlsli has the rule. A map may be a Texture2D of float, float2 or float4, as each
+// function says.
 //
 // A branch on the receiver's layer or position breaks the derivatives that a texture's level comes from. So the
 // gradients of the coordinates are parameters: take them with ddx and ddy before any branch.
+//
+// For a technique alone, include its file in separate/.
 #ifndef LVSM_SAMPLING_SEPARATE_HLSLI
 #define LVSM_SAMPLING_SEPARATE_HLSLI
 
-#include "../esm.hlsli"
-#include "../layers.hlsli"
-#include "../pcf.hlsli"
-#include "../receiver.hlsli"
-
-// Whether coordinates are on the map.
-bool lvsm_isOnMap(float2 uv)
-{
-    return uv.x >= 0.0 && uv.x <= 1.0 && uv.y >= 0.0 && uv.y <= 1.0;
-}
-
-// Size of a map in texels.
-float2 lvsm_mapSize(Texture2D<float4> map)
-{
-    uint width;
-    uint height;
-    map.GetDimensions(width, height);
-    return float2(float(width), float(height));
-}
-
-// Size of each slice of an array of maps in texels.
-float2 lvsm_mapArraySize(Texture2DArray<float4> map)
-{
-    uint width;
-    uint height;
-    uint slices;
-    map.GetDimensions(width, height, slices);
-    return float2(float(width), float(height));
-}
-
-// The texel (0,0) of the four that surround a position, counted from the map's corner.
-float2 lvsm_firstCorner(float2 uv, float2 size)
-{
-    return floor(clamp(uv, -1.0, 2.0) * size - 0.5);
-}
-
-// Four texels around a position with those off the map replaced.
-float4 lvsm_maskCorners(float4 texels, float2 corner, float2 size, float border)
-{
-    bool left = corner.x >= 0.0 && corner.x < size.x;
-    bool right = corner.x >= -1.0 && corner.x < size.x - 1.0;
-    bool top = corner.y >= 0.0 && corner.y < size.y;
-    bool bottom = corner.y >= -1.0 && corner.y < size.y - 1.0;
-    return float4(left && top ? texels.x : border, right && top ? texels.y : border,
-                left && bottom ? texels.z : border, right && bottom ? texels.w : border);
-}
-
-/// Filtered texel of a map.
-/// uv: texture coordinates. dx, dy: their change to the next pixel in x and in y. border: what an empty texel holds.
-/// Result: the sample, or border off the map.
-float4 lvsm_sampleMap(Texture2D<float4> map, SamplerState filtering, float2 uv, float2 dx, float2 dy, float4 border)
-{
-    float4 texel = map.SampleGrad(filtering, uv, dx, dy);
-    return lvsm_isOnMap(uv) ? texel : border;
-}
-
-/// Filtered texel of one slice of an array of maps.
-/// uv: texture coordinates. slice: of the array. dx, dy: change of uv to the next pixel in x and in y.
-/// border: what an empty texel holds. Result: the sample, or border off the map.
-float4 lvsm_sampleMapArray(Texture2DArray<float4> map, SamplerState filtering, float2 uv, int slice, float2 dx,
-                           float2 dy, float4 border)
-{
-    float4 texel = map.SampleGrad(filtering, float3(uv, float(slice)), dx, dy);
-    return lvsm_isOnMap(uv) ? texel : border;
-}
-
-/// First components of the four texels around a position, unfiltered, of level 0.
-/// uv: texture coordinates. border: what an empty texel holds.
-/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
-float4 lvsm_gatherMap(Texture2D<float4> map, SamplerState filtering, float2 uv, float border)
-{
-    float2 size = lvsm_mapSize(map);
-    float2 corner = lvsm_firstCorner(uv, size);
-    // The point where the four meet is where rounding the coordinates cannot choose others.
-    return lvsm_maskCorners(map.Gather(filtering, (corner + 1.0) / size).wzxy, corner, size, border);
-}
-
-/// First components of the four texels around a position in one slice of an array, unfiltered, of level 0.
-/// uv: texture coordinates. slice: of the array. border: what an empty texel holds.
-/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
-float4 lvsm_gatherMapArray(Texture2DArray<float4> map, SamplerState filtering, float2 uv, int slice, float border)
-{
-    float2 size = lvsm_mapArraySize(map);
-    float2 corner = lvsm_firstCorner(uv, size);
-    float4 texels = map.Gather(filtering, float3((corner + 1.0) / size, float(slice))).wzxy;
-    return lvsm_maskCorners(texels, corner, size, border);
-}
-
-/// Position between the four texels that gatherMap reads, as bilinearVisibility takes it.
-/// uv: texture coordinates. size: of the map in texels. Result: each component in [0,1].
-float2 lvsm_mapFraction(float2 uv, float2 size)
-{
-    return clamp(clamp(uv, -1.0, 2.0) * size - 0.5 - lvsm_firstCorner(uv, size), 0.0, 1.0);
-}
-
-// Visibility from the layer that the receiver is judged by.
-float lvsm_visibilityInLayer(Texture2DArray<float4> map, SamplerState filtering, float2 uv, float2 dx, float2 dy,
-                             float depth, float2 interval, int layer, float minVariance)
-{
-    float4 texel = lvsm_sampleMapArray(map, filtering, uv, layer / 2, dx, dy, float4(1.0, 1.0, 1.0, 1.0));
-    return lvsm_layeredVisibility(lvsm_unpackLayer(texel, layer), depth, interval, minVariance);
-}
-
-/// Visibility from a layered variance shadow map: two layers to a slice, as packLayers lays them out.
-/// uv: texture coordinates. dx, dy: their change to the next pixel. depth: the receiver's, in [0,1].
-/// splits: layerCount + 1 values, not decreasing, from 0 to 1. layerCount: from 1 to LVSM_MAX_LAYERS.
-/// overlap: of the layers, as when stored. width: of the transition, at most the overlap; only there is a second sample
-/// taken. minVariance: the global floor in depth squared, >= 0. Result in [0,1]; 1 off the map.
-/// Source: LVSM section 5.
-float lvsm_sampleLayers(Texture2DArray<float4> map, SamplerState filtering, float2 uv, float2 dx, float2 dy,
-                        float depth, float splits[LVSM_MAX_LAYERS + 1], int layerCount, float overlap, float width,
-                        float minVariance)
-{
-    int layer = lvsm_layerIndex(depth, splits, layerCount);
-    float2 interval = lvsm_layerInterval(splits[layer], splits[layer + 1], overlap);
-    float visibility = lvsm_visibilityInLayer(map, filtering, uv, dx, dy, depth, interval, layer, minVariance);
-    float weight = lvsm_transitionWeight(depth, splits[layer], splits[layer + 1], width);
-    if (weight == 0.0)
-        return visibility;
-    int other = clamp(weight < 0.0 ? layer - 1 : layer + 1, 0, min(layerCount, LVSM_MAX_LAYERS) - 1);
-    float2 otherInterval = lvsm_layerInterval(splits[other], splits[other + 1], overlap);
-    float neighbour = lvsm_visibilityInLayer(map, filtering, uv, dx, dy, depth, otherInterval, other, minVariance);
-    return lvsm_blendTransition(visibility, neighbour, weight);
-}
-
-/// Visibility by percentage-closer filtering with a box of any width, over a map of depths.
-/// uv: texture coordinates. width: of the box in texels, from 1 to 65, clamped to it. depth: the receiver's, in [0,1].
-/// gradient: of the receiver's depth per texel, see receiverGradient; (0, 0) takes one depth for all texels.
-/// bias: what the receiver is moved towards the light, in [0,1]. Result in [0,1]; 1 off the map.
-/// Source: Reeves et al. 1987.
-float lvsm_samplePcf(Texture2D<float4> map, SamplerState filtering, float2 uv, float width, float depth,
-                     float2 gradient, float bias)
-{
-    if (!lvsm_isOnMap(uv))
-        return 1.0;
-    float2 size = lvsm_mapSize(map);
-    float extent = clamp(width, 1.0, float(LVSM_MAX_FILTER_SIZE));
-    float2 position = uv * size - 0.5;
-    float2 first = floor(position - 0.5 * extent + 0.5);
-    int quads = int(0.5 * ceil(extent)) + 1;
-    float2 sum = float2(0.0, 0.0);
-    for (int y = 0; y < quads; ++y)
-    {
-        for (int x = 0; x < quads; ++x)
-        {
-            float2 texel = first + 2.0 * float2(float(x), float(y));
-            float2 offset = texel - position;
-            float4 depths = lvsm_gatherMap(map, filtering, (texel + 1.0) / size, 1.0);
-            float2 across = float2(lvsm_boxWeight(offset.x, extent), lvsm_boxWeight(offset.x + 1.0, extent));
-            float2 down = float2(lvsm_boxWeight(offset.y, extent), lvsm_boxWeight(offset.y + 1.0, extent));
-            float4 receivers = float4(lvsm_planeDepth(depth, gradient, offset),
-                                  lvsm_planeDepth(depth, gradient, offset + float2(1.0, 0.0)),
-                                  lvsm_planeDepth(depth, gradient, offset + float2(0.0, 1.0)),
-                                  lvsm_planeDepth(depth, gradient, offset + float2(1.0, 1.0)));
-            sum = lvsm_pcfAdd(sum, depths, across.xyxy * down.xxyy, receivers, bias);
-        }
-    }
-    return lvsm_pcfVisibility(sum);
-}
-
-/// Visibility from an exponential shadow map, with the 2x2 filter where the threshold test finds the map at fault.
-/// uv: texture coordinates. dx, dy: their change to the next pixel. depth: the receiver's, in [0,1].
-/// exponent: c as when stored. threshold: of violatesThreshold. Result in [0,1]; 1 off the map.
-/// Source: ESM section 3.3.
-float lvsm_sampleEsm(Texture2D<float4> map, SamplerState filtering, float2 uv, float2 dx, float2 dy, float depth,
-                     float exponent, float threshold)
-{
-    float empty = lvsm_occluderTerm(1.0, exponent);
-    float occluder = lvsm_sampleMap(map, filtering, uv, dx, dy, float4(empty, empty, empty, empty)).x;
-    if (!lvsm_violatesThreshold(occluder, depth, exponent, threshold))
-        return lvsm_exponentialShadow(occluder, depth, exponent);
-    float2 fraction = lvsm_mapFraction(uv, lvsm_mapSize(map));
-    return lvsm_exponentialShadow2x2(lvsm_gatherMap(map, filtering, uv, empty), fraction, depth, exponent);
-}
+#include "separate/esm.hlsli"
+#include "separate/layers.hlsli"
+#include "separate/maps.hlsli"
+#include "separate/pcf.hlsli"
 
 #endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: sampling/common.
+// Texels of maps with the border around them: all that the other wrappers read goes through here.
+#ifndef LVSM_SAMPLING_SEPARATE_MAPS_GLSL
+#define LVSM_SAMPLING_SEPARATE_MAPS_GLSL
+
+#include "../common.glsl"
+
+// Size of a map in texels.
+// map: of 1 component or more.
+vec2 lvsm_mapSize(texture2D map, sampler filtering)
+{
+    return vec2(textureSize(sampler2D(map, filtering), 0));
+}
+
+// Size of each slice of an array of maps in texels.
+// map: of 1 component or more.
+vec2 lvsm_mapArraySize(texture2DArray map, sampler filtering)
+{
+    return vec2(textureSize(sampler2DArray(map, filtering), 0).xy);
+}
+
+/// Filtered texel of a map.
+/// map: of 1 component or more. uv: texture coordinates. dx, dy: their change to the next pixel in x and in y.
+/// border: what an empty texel holds. Result: the sample, blended with border at the edge, and border off the map.
+vec4 lvsm_sampleMap(texture2D map, sampler filtering, vec2 uv, vec2 dx, vec2 dy, vec4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapSize(map, filtering));
+    return lvsm_withBorder(textureGrad(sampler2D(map, filtering), uv, dx, dy), border, coverage);
+}
+
+/// Filtered texel of one slice of an array of maps.
+/// map: of 1 component or more. uv: texture coordinates. slice: of the array. dx, dy: change of uv to the next pixel in
+/// x and in y. border: what an empty texel holds.
+/// Result: the sample, blended with border at the edge, and border off the map.
+vec4 lvsm_sampleMapArray(texture2DArray map, sampler filtering, vec2 uv, int slice, vec2 dx, vec2 dy, vec4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapArraySize(map, filtering));
+    return lvsm_withBorder(textureGrad(sampler2DArray(map, filtering), vec3(uv, float(slice)), dx, dy), border,
+                           coverage);
+}
+
+// First components of four texels of level 0, clamped to the edge. corner: the texel (0,0) of them. A gather where the
+// four meet is where rounding the coordinates cannot choose others.
+vec4 lvsm_fourTexels(texture2D map, sampler filtering, vec2 corner, vec2 size)
+{
+    return textureGather(sampler2D(map, filtering), (corner + 1.0) / size).wzxy;
+}
+
+vec4 lvsm_fourTexelsArray(texture2DArray map, sampler filtering, vec2 corner, vec2 size, int slice)
+{
+    return textureGather(sampler2DArray(map, filtering), vec3((corner + 1.0) / size, float(slice))).wzxy;
+}
+
+/// First components of the four texels around a position, unfiltered, of level 0.
+/// map: of 1 component or more. uv: texture coordinates. border: what an empty texel holds.
+/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
+vec4 lvsm_gatherMap(texture2D map, sampler filtering, vec2 uv, float border)
+{
+    vec2 size = lvsm_mapSize(map, filtering);
+    vec2 corner = lvsm_firstCorner(uv, size);
+    return lvsm_maskCorners(lvsm_fourTexels(map, filtering, corner, size), corner, size, border);
+}
+
+/// First components of the four texels around a position in one slice of an array, unfiltered, of level 0.
+/// map: of 1 component or more. uv: texture coordinates. slice: of the array. border: what an empty texel holds.
+/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
+vec4 lvsm_gatherMapArray(texture2DArray map, sampler filtering, vec2 uv, int slice, float border)
+{
+    vec2 size = lvsm_mapArraySize(map, filtering);
+    vec2 corner = lvsm_firstCorner(uv, size);
+    return lvsm_maskCorners(lvsm_fourTexelsArray(map, filtering, corner, size, slice), corner, size, border);
+}
+
+#endif

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: sampling/common.
+// Texels of maps with the border around them: all that the other wrappers read goes through here.
+#ifndef LVSM_SAMPLING_SEPARATE_MAPS_HLSLI
+#define LVSM_SAMPLING_SEPARATE_MAPS_HLSLI
+
+#include "../common.hlsli"
+
+// A texel of fewer components as one of four, as GLSL samples it.
+float4 lvsm_fourComponents(float texel)
+{
+    return float4(texel, 0.0, 0.0, 1.0);
+}
+
+float4 lvsm_fourComponents(float2 texel)
+{
+    return float4(texel, 0.0, 1.0);
+}
+
+float4 lvsm_fourComponents(float4 texel)
+{
+    return texel;
+}
+
+// Size of a map in texels.
+// map: of 1 component or more.
+float2 lvsm_mapSize(Texture2D<float> map)
+{
+    uint width;
+    uint height;
+    map.GetDimensions(width, height);
+    return float2(float(width), float(height));
+}
+
+float2 lvsm_mapSize(Texture2D<float2> map)
+{
+    uint width;
+    uint height;
+    map.GetDimensions(width, height);
+    return float2(float(width), float(height));
+}
+
+float2 lvsm_mapSize(Texture2D<float4> map)
+{
+    uint width;
+    uint height;
+    map.GetDimensions(width, height);
+    return float2(float(width), float(height));
+}
+
+// Size of each slice of an array of maps in texels.
+// map: of 1 component or more.
+float2 lvsm_mapArraySize(Texture2DArray<float> map)
+{
+    uint width;
+    uint height;
+    uint slices;
+    map.GetDimensions(width, height, slices);
+    return float2(float(width), float(height));
+}
+
+float2 lvsm_mapArraySize(Texture2DArray<float2> map)
+{
+    uint width;
+    uint height;
+    uint slices;
+    map.GetDimensions(width, height, slices);
+    return float2(float(width), float(height));
+}
+
+float2 lvsm_mapArraySize(Texture2DArray<float4> map)
+{
+    uint width;
+    uint height;
+    uint slices;
+    map.GetDimensions(width, height, slices);
+    return float2(float(width), float(height));
+}
+
+/// Filtered texel of a map.
+/// map: of 1 component or more. uv: texture coordinates. dx, dy: their change to the next pixel in x and in y.
+/// border: what an empty texel holds. Result: the sample, blended with border at the edge, and border off the map.
+float4 lvsm_sampleMap(Texture2D<float> map, SamplerState filtering, float2 uv, float2 dx, float2 dy, float4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapSize(map));
+    return lvsm_withBorder(lvsm_fourComponents(map.SampleGrad(filtering, uv, dx, dy)), border, coverage);
+}
+
+float4 lvsm_sampleMap(Texture2D<float2> map, SamplerState filtering, float2 uv, float2 dx, float2 dy, float4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapSize(map));
+    return lvsm_withBorder(lvsm_fourComponents(map.SampleGrad(filtering, uv, dx, dy)), border, coverage);
+}
+
+float4 lvsm_sampleMap(Texture2D<float4> map, SamplerState filtering, float2 uv, float2 dx, float2 dy, float4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapSize(map));
+    return lvsm_withBorder(lvsm_fourComponents(map.SampleGrad(filtering, uv, dx, dy)), border, coverage);
+}
+
+/// Filtered texel of one slice of an array of maps.
+/// map: of 1 component or more. uv: texture coordinates. slice: of the array. dx, dy: change of uv to the next pixel in
+/// x and in y. border: what an empty texel holds.
+/// Result: the sample, blended with border at the edge, and border off the map.
+float4 lvsm_sampleMapArray(Texture2DArray<float> map, SamplerState filtering, float2 uv, int slice, float2 dx,
+                           float2 dy, float4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapArraySize(map));
+    float3 position = float3(uv, float(slice));
+    return lvsm_withBorder(lvsm_fourComponents(map.SampleGrad(filtering, position, dx, dy)), border, coverage);
+}
+
+float4 lvsm_sampleMapArray(Texture2DArray<float2> map, SamplerState filtering, float2 uv, int slice, float2 dx,
+                           float2 dy, float4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapArraySize(map));
+    float3 position = float3(uv, float(slice));
+    return lvsm_withBorder(lvsm_fourComponents(map.SampleGrad(filtering, position, dx, dy)), border, coverage);
+}
+
+float4 lvsm_sampleMapArray(Texture2DArray<float4> map, SamplerState filtering, float2 uv, int slice, float2 dx,
+                           float2 dy, float4 border)
+{
+    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapArraySize(map));
+    float3 position = float3(uv, float(slice));
+    return lvsm_withBorder(lvsm_fourComponents(map.SampleGrad(filtering, position, dx, dy)), border, coverage);
+}
+
+/// First components of the four texels around a position, unfiltered, of level 0.
+/// map: of 1 component or more. uv: texture coordinates. border: what an empty texel holds.
+/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
+float4 lvsm_gatherMap(Texture2D<float> map, SamplerState filtering, float2 uv, float border)
+{
+    float2 size = lvsm_mapSize(map);
+    float2 corner = lvsm_firstCorner(uv, size);
+    // The point where the four meet is where rounding the coordinates cannot choose others.
+    return lvsm_maskCorners(map.Gather(filtering, (corner + 1.0) / size).wzxy, corner, size, border);
+}
+
+float4 lvsm_gatherMap(Texture2D<float2> map, SamplerState filtering, float2 uv, float border)
+{
+    float2 size = lvsm_mapSize(map);
+    float2 corner = lvsm_firstCorner(uv, size);
+    // The point where the four meet is where rounding the coordinates cannot choose others.
+    return lvsm_maskCorners(map.Gather(filtering, (corner + 1.0) / size).wzxy, corner, size, border);
+}
+
+float4 lvsm_gatherMap(Texture2D<float4> map, SamplerState filtering, float2 uv, float border)
+{
+    float2 size = lvsm_mapSize(map);
+    float2 corner = lvsm_firstCorner(uv, size);
+    // The point where the four meet is where rounding the coordinates cannot choose others.
+    return lvsm_maskCorners(map.Gather(filtering, (corner + 1.0) / size).wzxy, corner, size, border);
+}
+
+/// First components of the four texels around a position in one slice of an array, unfiltered, of level 0.
+/// map: of 1 component or more. uv: texture coordinates. slice: of the array. border: what an empty texel holds.
+/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
+float4 lvsm_gatherMapArray(Texture2DArray<float> map, SamplerState filtering, float2 uv, int slice, float border)
+{
+    float2 size = lvsm_mapArraySize(map);
+    float2 corner = lvsm_firstCorner(uv, size);
+    float4 texels = map.Gather(filtering, float3((corner + 1.0) / size, float(slice))).wzxy;
+    return lvsm_maskCorners(texels, corner, size, border);
+}
+
+float4 lvsm_gatherMapArray(Texture2DArray<float2> map, SamplerState filtering, float2 uv, int slice, float border)
+{
+    float2 size = lvsm_mapArraySize(map);
+    float2 corner = lvsm_firstCorner(uv, size);
+    float4 texels = map.Gather(filtering, float3((corner + 1.0) / size, float(slice))).wzxy;
+    return lvsm_maskCorners(texels, corner, size, border);
+}
+
+float4 lvsm_gatherMapArray(Texture2DArray<float4> map, SamplerState filtering, float2 uv, int slice, float border)
+{
+    float2 size = lvsm_mapArraySize(map);
+    float2 corner = lvsm_firstCorner(uv, size);
+    float4 texels = map.Gather(filtering, float3((corner + 1.0) / size, float(slice))).wzxy;
+    return lvsm_maskCorners(texels, corner, size, border);
+}
+
+#endif
