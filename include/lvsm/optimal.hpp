@@ -96,16 +96,21 @@ class CellCosts
 public:
     CellCosts(const double* weights, int binCount, double uniformShare) : m_binCount(binCount)
     {
+        // Relative to the largest, neither the sum nor its inverse overflows.
+        double largest = 0.0;
+        for (int i = 0; i < binCount; ++i)
+            largest = max(largest, weights[i]);
+        const double unit = largest > 0.0 ? largest : 1.0;
         double total = 0.0;
         for (int i = 0; i < binCount; ++i)
-            total += weights[i];
+            total += weights[i] / unit;
         const double scale = total > 0.0 ? (1.0 - uniformShare) / total : 0.0;
         const double uniform = (total > 0.0 ? uniformShare : 1.0) / binCount;
         for (int i = 0; i < binCount; ++i)
         {
             // Measured from the middle of the range, which halves the digits that the squares cancel.
             const double x = (i + 0.5) / binCount - 0.5;
-            const double weight = weights[i] * scale + uniform;
+            const double weight = weights[i] / unit * scale + uniform;
             m_sums[i + 1] = {m_sums[i].weight + weight, m_sums[i].first + weight * x,
                              m_sums[i].second + weight * x * x};
         }
@@ -118,10 +123,13 @@ public:
         return sums.weight > 0.0 ? max(0.0, sums.second - sums.first * sums.first / sums.weight) : 0.0;
     }
 
+    // Between the centres of the first and the last bin, also where rounding is all of the weight: so means rise.
     double mean(int first, int last) const
     {
         const Sums sums = between(first, last);
-        return 0.5 + (sums.weight > 0.0 ? sums.first / sums.weight : 0.5 * (first + last) / m_binCount - 0.5);
+        const double low = (first + 0.5) / m_binCount;
+        const double high = (last - 0.5) / m_binCount;
+        return sums.weight > 0.0 ? clamp(0.5 + sums.first / sums.weight, low, high) : 0.5 * (low + high);
     }
 
     // The cost of layers with the given splits, each rounded to a bin's edge.

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -230,6 +231,138 @@ TEST_CASE("splits rise, and no layer is shorter than half the least cell")
     LVSM_CHECK_TALLY(tally);
 }
 
+// Of cells with next to no weight nothing but rounding is left to take a mean of.
+TEST_CASE_TEMPLATE("splits rise where the share of a uniform histogram is next to nothing", T, float, double)
+{
+    Random random(133);
+    Tally tally;
+    for (int i = 0; i < 2000; ++i)
+    {
+        const int bins = random.between(1, 1024);
+        std::vector<T> weights(static_cast<std::size_t>(bins), T(0));
+        const T scale = std::ldexp(T(1), random.between(-140, 120));
+        for (int k = random.between(0, 4); k > 0; --k)
+            weights[static_cast<std::size_t>(random.between(0, bins - 1))] = random.unit<T>() * scale;
+        OptimalOptions<T> options;
+        options.uniformShare = std::ldexp(random.unit<T>(), -random.between(0, 60));
+        const int leastBins = random.between(0, 32);
+        options.minLength = (T(leastBins) + T(0.5)) / T(bins);
+        T splits[17];
+        const int layers = random.between(1, 16);
+        const int cells = std::min(layers, bins);
+        tally.claim(bool(optimalSplitsHistogram(weights.data(), bins, splits, layers, options)), i);
+        const Exact least = Exact(std::clamp(leastBins, 1, bins / cells)) / bins / 2;
+        for (int k = 0; k < cells; ++k)
+            tally.claim(splits[k + 1] - splits[k] >= least - 2 * kRoundoff<T>, i, bins, layers, k, splits[k],
+                        splits[k + 1]);
+        tally.claim(splits[0] == 0 && splits[layers] == 1, i, bins, layers);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("weights of any finite size are weighed alike")
+{
+    const double shape[] = {3, 0, 0, 1, 0, 0, 0, 2};
+    double expected[4];
+    REQUIRE(optimalSplitsHistogram(shape, 8, expected, 3));
+    for (const double scale : {0x1p-1070, 0x1p-1020, 0x1p1000, 0x1p1022})
+    {
+        double weights[8], splits[4];
+        for (int i = 0; i < 8; ++i)
+            weights[i] = shape[i] * scale;
+        CHECK(optimalSplitsHistogram(weights, 8, splits, 3));
+        for (int k = 0; k <= 3; ++k)
+            CHECK(splits[k] == expected[k]);
+    }
+}
+
+TEST_CASE("by default three tenths of the weight are uniform, and a cell is a 64th long at least")
+{
+    // All weight in one of two bins: with a share u mixed in, 1 - u / 2 are in it and u / 2 are half the range away.
+    const double one[] = {1, 0};
+    double ends[2];
+    CHECK(optimalSplitsHistogram(one, 2, ends, 1).distortion == doctest::Approx(0.85 * 0.15 / 4).epsilon(1e-12));
+
+    // Two bins with weight at the very front, which would have a split between them. The cells are 0 to 1/64 and the
+    // rest: their means are that of the two bins, and the middle of the rest.
+    std::vector<double> weights(1024, 0.0);
+    weights[0] = weights[1] = 1;
+    OptimalOptions<double> options;
+    options.uniformShare = 0;
+    double splits[3];
+    CHECK(optimalSplitsHistogram(weights.data(), 1024, splits, 2, options));
+    CHECK(splits[1] == doctest::Approx(0.5 * (1.0 / 1024 + 0.5 * (1 + 1.0 / 64))).epsilon(1e-9));
+}
+
+// Four times the standard deviation of the depths at each texel, its right, its lower and its diagonal neighbour, where
+// the last column and row repeat.
+std::vector<double> weighed(const std::vector<double>& image, int width, int height)
+{
+    std::vector<double> weights(kMaxOptimalBins, 0.0);
+    const auto at = [&](int x, int y)
+    {
+        return image[static_cast<std::size_t>(std::min(y, height - 1) * width + std::min(x, width - 1))];
+    };
+    for (int y = 0; y < height; ++y)
+    {
+        for (int x = 0; x < width; ++x)
+        {
+            const double depths[] = {at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)};
+            double middle = 0, squares = 0;
+            for (const double depth : depths)
+                middle += depth / 4;
+            for (const double depth : depths)
+                squares += (depth - middle) * (depth - middle) / 4;
+            weights[std::min(std::size_t(depths[0] * 1024), std::size_t(1023))] += 4 * std::sqrt(squares);
+        }
+    }
+    return weights;
+}
+
+TEST_CASE("an image's depths weigh as their neighbourhoods deviate, wherever in the image they are")
+{
+    Random random(134);
+    Tally tally;
+    for (int i = 0; i < 400; ++i)
+    {
+        const int width = random.between(1, 200);
+        const int height = random.between(1, 6);
+        std::vector<double> image(static_cast<std::size_t>(width * height));
+        const double background = random.unit<double>();
+        for (double& depth : image)
+            depth = random.between(0, 7) == 0 ? random.unit<double>() : background;
+        image[0] = i % 3 == 0 ? 1 : 0;
+        OptimalOptions<double> options;
+        options.maxSamples = 0;
+        double splits[5], expected[5];
+        const auto result = optimalSplits(image.data(), width, height, splits, 4, options);
+        const auto truth =
+            optimalSplitsHistogram(weighed(image, width, height).data(), kMaxOptimalBins, expected, 4, options);
+        tally.claim(std::abs(result.distortion - truth.distortion) < 1e-12, i, width, height, result.distortion,
+                    truth.distortion);
+        for (int k = 0; k <= 4; ++k)
+            tally.claim(std::abs(splits[k] - expected[k]) < 1e-9, i, width, height, k, splits[k], expected[k]);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+// The only edge of the image is between one run of texels that are read together and the next.
+TEST_CASE("an edge at texel 64 places the splits as one anywhere else does")
+{
+    OptimalOptions<float> options;
+    options.uniformShare = 0;
+    float splits[2][3];
+    for (const int edge : {40, 64})
+    {
+        std::vector<float> image(128, 0.1f);
+        for (int x = edge; x < 128; ++x)
+            image[static_cast<std::size_t>(x)] = 0.9f;
+        CHECK(optimalSplits(image.data(), 128, 1, splits[edge / 64], 2, options));
+    }
+    CHECK(splits[0][1] == splits[1][1]);
+    CHECK(splits[1][1] < 0.4f);
+}
+
 TEST_CASE("hysteresis keeps the previous splits unless the new ones gain enough")
 {
     std::vector<double> weights(128);
@@ -262,10 +395,19 @@ TEST_CASE("hysteresis keeps the previous splits unless the new ones gain enough"
     CHECK(splits[1] == fresh[1]);
     CHECK(moved.distortion == optimum.distortion);
 
-    // What is no placement is replaced.
-    double broken[] = {0, 2, 1};
-    CHECK(optimalSplitsHistogram(weights.data(), 128, broken, 2, options).status == OptimalStatus::Optimal);
-    CHECK(broken[1] == fresh[1]);
+    // What is no placement is replaced, even if nothing at all would be gained.
+    options.leastGain = 0.999999;
+    for (const std::vector<double>& broken :
+         {std::vector<double>{0, 2, 1}, {0, 0, 1}, {0, 1, 1}, {0.01, 0.3, 1}, {0, 0.3, 0.99}, {0, -1, 1}})
+    {
+        std::vector<double> replaced = broken;
+        CHECK(optimalSplitsHistogram(weights.data(), 128, replaced.data(), 2, options).status ==
+              OptimalStatus::Optimal);
+        CHECK(replaced[1] == fresh[1]);
+    }
+    double equal[] = {0, 0.3, 0.3, 1};
+    CHECK(optimalSplitsHistogram(weights.data(), 128, equal, 3, options).status == OptimalStatus::Optimal);
+    CHECK(equal[1] < equal[2]);
 }
 
 TEST_CASE("what makes no sense is said, and the splits are left alone")

@@ -3,6 +3,7 @@
 #include <lvsm/exponential.hpp>
 #include <lvsm/moments4.hpp>
 #include <lvsm/placement.hpp>
+#include <lvsm/plane.hpp>
 #include <lvsm/receiver.hpp>
 
 #include <doctest/doctest.h>
@@ -17,7 +18,7 @@ namespace lvsm::unit
 namespace
 {
 
-constexpr int kWords = 16;
+constexpr int kWords = 18;
 
 template <typename T>
 struct Words
@@ -316,6 +317,22 @@ std::vector<Row<T>> rows()
          [](W w)
          {
              return Results<T>{bracketedVisibility4(w.four(0), w.four(4), w.four(8), w(12), w.two(13), w(15))};
+         }},
+        {"planeCovariance", 7, T(-4294967296), T(4294967296),
+         [](W w)
+         {
+             return Results<T>{planeCovariance(w.four(0), w.two(4), w(6))};
+         }},
+        {"planeVariance", 3, 0, T(8589934592),
+         [](W w)
+         {
+             return Results<T>{planeVariance(w.two(0), w(2))};
+         }},
+        {"planeBracketedVisibility", 15, 0, 1,
+         [](W w)
+         {
+             return Results<T>{planeBracketedVisibility(w.two(0), w.two(2), w.two(4), w.three(6), w(9), w.two(10), w(12),
+                                                        w(13), w(14))};
          }},
         {"receiverGradient", 6, -1, 1,
          [](W w)
