@@ -76,8 +76,8 @@ double countedVisibility(const SlantedWindow& window, const Vec4<double>& splits
     };
     const double behind = window.share([&](const auto& s) { return s.depth >= splits.z; });
     const double left = window.share(inLayer);
-    const double lit = window.share(
-        [&](const auto& s) { return inLayer(s) && s.depth >= depth + window.slope * s.side - 1e-12; });
+    const double lit =
+        window.share([&](const auto& s) { return inLayer(s) && s.depth >= depth + window.slope * s.side - 1e-12; });
     return behind + left * std::max(0.0, (lit / left - amount) / (1 - amount));
 }
 
@@ -244,8 +244,8 @@ TEST_CASE_TEMPLATE("without slope it is bracketedBoundedVisibility", T, float, d
         const T depth = T(0.25) + T(0.25) * static_cast<T>(i % 7) / T(7);
         const Vec2<T> interval(T(0.25), T(0.5));
         const T plain = bracketedBoundedVisibility(front, moments, behind, depth, interval, T(1e-5));
-        const T plane = planeBracketedVisibility(front, moments, behind, Vec3<T>(T(0)), depth, interval, T(0), T(1e-5),
-                                                 T(0));
+        const T plane =
+            planeBracketedVisibility(front, moments, behind, Vec3<T>(T(0)), depth, interval, T(0), T(1e-5), T(0));
         // What is left can be next to nothing, which the one divides by and the other does not.
         CHECK(plane == doctest::Approx(plain).epsilon(1e-4));
     }
@@ -277,7 +277,8 @@ TEST_CASE_TEMPLATE("planeVariance is that of the plane under a filter", T, float
     CHECK(planeVariance(gradient, T(3)) == 9 * sum);
 }
 
-TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in the plane's variance and covariance", T, float, double)
+TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in the plane's variance and covariance", T, float,
+                   double)
 {
     const Vec4<T> steps(1, 0, 1, 0), beyond(7, -5, 3, -2), back(-5, 7, -2, 3), none(T(0.5));
     CHECK(planeCovariance(beyond, Vec2<T>(1, 0), T(1)) == T(0.5));

@@ -331,8 +331,8 @@ std::vector<Row<T>> rows()
         {"planeBracketedVisibility", 15, 0, 1,
          [](W w)
          {
-             return Results<T>{planeBracketedVisibility(w.two(0), w.two(2), w.two(4), w.three(6), w(9), w.two(10), w(12),
-                                                        w(13), w(14))};
+             return Results<T>{planeBracketedVisibility(w.two(0), w.two(2), w.two(4), w.three(6), w(9), w.two(10),
+                                                        w(12), w(13), w(14))};
          }},
         {"receiverGradient", 6, -1, 1,
          [](W w)
