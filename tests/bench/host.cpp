@@ -163,6 +163,13 @@ void optimalSplitsHistogram(benchmark::State& state)
     }
 }
 
+// Into every report, so that a table can say what it was measured with.
+const bool kContext = []
+{
+    benchmark::AddCustomContext("compiler", LVSM_COMPILER);
+    return true;
+}();
+
 const int kDefaultSamples = lvsm::OptimalOptions<float>().maxSamples;
 
 BENCHMARK(readPass)->Unit(benchmark::kMillisecond);

@@ -1,24 +1,21 @@
-#!/usr/bin/env python3
-"""Fails where docs/choose.md and choose.svg are not what its errors and the recorded costs make; --write makes them so.
+"""What docs/choose.md shows: the recorded errors of tests/quality beside the recorded costs of tests/cost.
 
-The errors are those of the table in choose.md itself, or with --quality those of a run of lvsm_quality."""
-import argparse
+doc_tables.py offers the tables and the picture to tests/docs/documents.py, which writes and checks them.
+"""
+import functools
 import json
 import math
 import pathlib
 import re
 
+import recorded
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-DOCS = ROOT / "docs/choose.md"
-PICTURE = ROOT / "docs/choose.svg"
 COSTS = ROOT / "tests/cost/recorded.json"
 ESTIMATES = ROOT / "tests/cost/estimates.def"
 TARGET = "GFX1100"
 BUDGETS = [32, 64, 128, 256]
-SCENES = ["foliage", "fence", "stack", "slanted", "bunnies", "herd", "machine", "trees", "street"]
-MEAN = "mesh mean"
-HEADER = ["technique", "whose", "bits", *SCENES, MEAN, "instr.", "inv. thr.", "with loads", "fetches", "front"]
-SECTIONS = ["table", "bits", "cost"]
+MEAN = recorded.MEAN
 
 # The whole estimate in tests/cost/estimates.def that a technique is judged by: what stores fewer bits or is placed
 # otherwise runs the same instructions. A technique that matches nothing here has no cost.
@@ -54,38 +51,6 @@ def estimate_of(technique):
         if match:
             return match.expand(estimate)
     return None
-
-
-def mean(values):
-    return sum(values) / len(values)
-
-
-def measured(path):
-    """Techniques with their errors, of the report that lvsm_quality wrote: a mesh world is the mean of its lights."""
-    techniques = {}
-    for row in json.loads(pathlib.Path(path).read_text()):
-        if row["bits"] > 0:
-            entry = techniques.setdefault(row["technique"], {"peer": row["peer"], "bits": row["bits"], "rows": []})
-            entry["rows"].append(row)
-    result = []
-    for name, entry in techniques.items():
-        errors = {scene: mean([row["rmse"] for row in entry["rows"] if row["scene"].split("-")[0] == scene])
-                  for scene in SCENES}
-        errors[MEAN] = mean([row["rmse"] for row in entry["rows"] if row["mesh"]])
-        errors = {scene: round(error, 4) for scene, error in errors.items()}
-        result.append({"name": name, "peer": entry["peer"], "bits": entry["bits"], "errors": errors})
-    return result
-
-
-def written(text):
-    """The same out of the table in choose.md."""
-    result = []
-    for line in re.findall(r"^\| .* \|$", section(text, "table"), re.MULTILINE)[1:]:
-        cells = dict(zip(HEADER, [cell.strip(" *") for cell in line.strip("|").split("|")]))
-        errors = {scene: float(cells[scene]) for scene in [*SCENES, MEAN]}
-        result.append({"name": cells["technique"], "peer": cells["whose"] == "peer", "bits": int(cells["bits"]),
-                       "errors": errors})
-    return result
 
 
 def add_costs(techniques):
@@ -142,20 +107,28 @@ def mark_fronts(techniques):
             technique["fronts"].append("bits and cost")
 
 
-def table(lines):
-    return "".join("| " + " | ".join(line) + " |\n" if i != 1 else "|" + "|".join(line) + "|\n"
-                   for i, line in enumerate(lines))
+@functools.cache
+def techniques():
+    """All of them by bits and error, with what they cost and the fronts that they are on."""
+    found = []
+    for technique in recorded.techniques():
+        errors = {column: round(recorded.rmse(technique["name"], column), 4) for column in recorded.COLUMNS}
+        found.append({**technique, "errors": errors})
+    found.sort(key=lambda t: (t["bits"], error_of(t), t["name"]))
+    add_costs(found)
+    mark_fronts(found)
+    return found
 
 
-def full_table(techniques):
-    lines = [HEADER, ["---"] * len(HEADER)]
-    for t in techniques:
+def full_table():
+    lines = [["technique", "whose", "bits", *recorded.COLUMNS, "instr.", "inv. thr.", "with loads", "fetches", "front"]]
+    for t in techniques():
         cost = ["-"] * 4 if t["cost"] is None else [
             str(t[key]) for key in ("instructions", "arithmetic", "cost", "fetches")]
         name = f"**{t['name']}**" if t["fronts"] else t["name"]
         lines.append([name, "peer" if t["peer"] else "ours", str(t["bits"]),
-                      *(f"{t['errors'][scene]:.4f}" for scene in [*SCENES, MEAN]), *cost, ", ".join(t["fronts"])])
-    return table(lines)
+                      *(f"{t['errors'][column]:.4f}" for column in recorded.COLUMNS), *cost, ", ".join(t["fronts"])])
+    return lines
 
 
 def best(techniques):
@@ -166,19 +139,19 @@ def shown(technique):
     return "-" if technique is None else f"{technique['name']}: {error_of(technique):.4f}"
 
 
-def bits_table(techniques):
-    lines = [["bits at most", "least error", "least error of a peer", "least error with one sample"], ["---"] * 4]
+def bits_table():
+    lines = [["bits at most", "least error", "least error of a peer", "least error with one sample"]]
     for bits in BUDGETS:
-        within = [t for t in techniques if t["bits"] <= bits]
+        within = [t for t in techniques() if t["bits"] <= bits]
         lines.append([str(bits), shown(best(within)), shown(best([t for t in within if t["peer"]])),
                       shown(best([t for t in within if "taps" not in t["name"]]))])
-    return table(lines)
+    return lines
 
 
-def cost_table(techniques):
+def cost_table():
     """A row for each cost at which some number of bits gets something better."""
-    costed = [t for t in techniques if t["cost"] is not None]
-    lines = [["cost at most", *(f"{bits} bits" for bits in BUDGETS)], ["---"] * (len(BUDGETS) + 1)]
+    costed = [t for t in techniques() if t["cost"] is not None]
+    lines = [["cost at most", *(f"{bits} bits" for bits in BUDGETS)]]
     previous = None
     for cost in sorted({t["cost"] for t in costed}):
         cells = [shown(best([t for t in costed if t["cost"] <= cost and t["bits"] <= bits])) for bits in BUDGETS]
@@ -186,7 +159,7 @@ def cost_table(techniques):
             lines.append([str(cost), *("same" if previous and cell == before else cell
                                        for cell, before in zip(cells, previous or cells))])
         previous = cells
-    return table(lines)
+    return lines
 
 
 # Colours that stay apart for the colour-blind, and as far from white as from black; shapes tell the same.
@@ -274,8 +247,8 @@ def labels(techniques):
     return parts
 
 
-def picture(techniques):
-    costed = [t for t in techniques if t["cost"] is not None]
+def picture():
+    costed = [t for t in techniques() if t["cost"] is not None]
     marks = "".join(mark(place_x(cost_of(t)), place_y(error_of(t)), t["bits"], t["peer"]) for t in costed)
     fronts = "".join(front_line(costed, bits) for bits in BUDGETS)
     return f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}">
@@ -293,35 +266,3 @@ line {{ stroke: #ddd; }}
 <rect class="paper" width="{WIDTH}" height="{HEIGHT}"/>
 {axes()}{fronts}{marks}{labels(costed)}{legend()}</svg>
 """
-
-
-def section_pattern(name):
-    return re.compile(rf"(?<=<!-- {name} -->\n).*?(?=<!-- end -->)", re.DOTALL)
-
-
-def section(document, name):
-    return section_pattern(name).search(document).group()
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quality", help="report of lvsm_quality; without it, the errors that choose.md has")
-    parser.add_argument("--write", action="store_true")
-    arguments = parser.parse_args()
-    document = DOCS.read_text()
-    techniques = measured(arguments.quality) if arguments.quality else written(document)
-    techniques.sort(key=lambda t: (t["bits"], error_of(t), t["name"]))
-    add_costs(techniques)
-    mark_fronts(techniques)
-    updated = document
-    for name, content in zip(SECTIONS, [full_table, bits_table, cost_table]):
-        updated = section_pattern(name).sub(lambda _: content(techniques), updated, count=1)
-    drawn = picture(techniques)
-    if arguments.write:
-        DOCS.write_text(updated)
-        PICTURE.write_text(drawn)
-    elif updated != document or not PICTURE.exists() or PICTURE.read_text() != drawn:
-        raise SystemExit(f"{DOCS} or {PICTURE.name} shows other figures; tests/quality/choose.py --write mends them")
-
-
-main()

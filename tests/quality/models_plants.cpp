@@ -76,7 +76,9 @@ void addTree(Mesh& mesh, glm::vec3 foot, float height, Random& random)
     }
     for (int i = 0; i < kLeaves; ++i)
     {
-        const glm::vec3 middle = crown + radius * std::cbrt(random.uniform(0.05f, 1.0f)) * anyDirection(random);
+        // One draw a statement: compilers differ in which of two in one expression comes first.
+        const glm::vec3 outwards = anyDirection(random);
+        const glm::vec3 middle = crown + radius * std::cbrt(random.uniform(0.05f, 1.0f)) * outwards;
         const glm::vec3 along = 0.05f * height * anyDirection(random);
         const glm::vec3 across = 0.5f * glm::cross(along, anyDirection(random));
         addQuad(mesh, middle - along, middle - across, middle + along, middle + across, true);

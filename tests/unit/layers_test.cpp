@@ -246,6 +246,9 @@ TEST_CASE_TEMPLATE("the layer that holds the receiver is not always the least bo
     // 0.25 / (0.25 + 0.1^2), where 0.1 is 0.6 less 0.5: a rounding of 0.6 counts 2 d / v = 0.8 fold, twice.
     CHECK(std::abs(Exact(seenBy(1)) - 0.25L / 0.26L) <= 8 * kRoundoff<T>);
     CHECK(seenBy(0) == T(0.5));
+    // Without layers it is 0.25 / (0.25 + 0.3^2): the receiver's layer is worse than none.
+    const Vec2<T> moments = averageLayerMoments(depths, Vec2<T>(T(0), T(1)));
+    CHECK(std::abs(Exact(chebyshevUpperBound(moments, receiver, T(0))) - 0.25L / 0.34L) <= 8 * kRoundoff<T>);
 }
 
 TEST_CASE_TEMPLATE("every layer bounds the visibility of every receiver", T, float, double)

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""The recorded run of lvsm_quality that the documents show, and the test that it is what would be measured now.
+
+    recorded.py --check LVSM_QUALITY     measures a small part and compares it with the one recorded beside the run
+    recorded.py --record LVSM_QUALITY    measures everything, and the small part, and writes recorded.json
+
+Both come from one program, so that whatever changes the small part asks for recording the whole.
+"""
+import argparse
+import functools
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+FILE = pathlib.Path(__file__).with_name("recorded.json")
+MEAN = "mesh mean"
+SMALL = ["--size", "48", "--scenes", "fence,slanted,bunnies-spot,trees-oblique,street-grazing"]
+# The arithmetic is the same everywhere but for the last digits of exp, log and the like.
+TOLERANCE = 1.0e-5
+
+
+def measure(program, *options):
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / "quality.json"
+        subprocess.run([program, "--output", str(output), *options], check=True, stdout=subprocess.DEVNULL)
+        return json.loads(output.read_text())
+
+
+def by_technique(rows):
+    found = {}
+    for row in rows:
+        found.setdefault(row["technique"], []).append(row)
+    return found
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def pooled(rows, group):
+    """Weight and RMSE of all receivers of a group together."""
+    parts = [row["groups"][group] for row in rows]
+    weight = sum(part["weight"] for part in parts)
+    square = sum(part["weight"] * part["rmse"] ** 2 for part in parts)
+    return [round(weight), digits(math.sqrt(square / weight)) if weight else 0.0]
+
+
+def digits(value):
+    return round(value, 6)
+
+
+def summary(name, rows):
+    """What is kept of a technique: its error in each scene, and over the mesh scenes means and pooled groups."""
+    mesh = [row for row in rows if row["mesh"]]
+    return {"name": name, "peer": rows[0]["peer"], "bits": rows[0]["bits"], "taps": rows[0]["taps"],
+            **{key: digits(mean(row[key] for row in mesh)) for key in ("bleed", "dark", "p99")},
+            "unweighted": digits(mean(row["unweighted"]["rmse"] for row in mesh)),
+            "groups": {group: pooled(mesh, group) for group in mesh[0]["groups"]},
+            "rmse": {row["scene"]: digits(row["rmse"]) for row in rows}}
+
+
+def small_part(program):
+    return {name: {row["scene"]: digits(row["rmse"]) for row in rows}
+            for name, rows in by_technique(measure(program, *SMALL)).items()}
+
+
+def record(program):
+    rows = measure(program)
+    lines = [json.dumps(summary(name, rows)) for name, rows in by_technique(rows).items()]
+    mesh = sorted({row["scene"] for row in rows if row["mesh"]}, key=[row["scene"] for row in rows].index)
+    small = [f"{json.dumps(name)}: {json.dumps(errors)}" for name, errors in small_part(program).items()]
+    FILE.write_text('{"seed": %d, "mesh_scenes": %s,\n"techniques": [\n%s\n],\n"small": {\n%s\n}}\n' % (
+        rows[0]["seed"], json.dumps(mesh), ",\n".join(lines), ",\n".join(small)))
+
+
+def check(program):
+    """Yields what differs from the recorded small part."""
+    before, now = whole()["small"], small_part(program)
+    for name in sorted(set(before) | set(now)):
+        for scene in sorted(set(before.get(name, {})) | set(now.get(name, {}))):
+            was, is_ = before.get(name, {}).get(scene), now.get(name, {}).get(scene)
+            if was is None or is_ is None or abs(was - is_) > TOLERANCE:
+                yield f"{name}, {scene}: {is_}, recorded {was}"
+    kept = {technique["name"] for technique in whole()["techniques"]}
+    for name in sorted(kept ^ set(before)):
+        yield f"{name} is recorded in one of the two runs alone"
+
+
+@functools.cache
+def whole():
+    return json.loads(FILE.read_text())
+
+
+def techniques(limits=False):
+    """Those that are stored in some bits, or the limits."""
+    return [technique for technique in whole()["techniques"] if (technique["bits"] == 0) == limits]
+
+
+def technique(name):
+    return next(t for t in whole()["techniques"] if t["name"] == name)
+
+
+def scenes_of(column):
+    """The scenes that a column is the mean of: one, the lights of a world, or all of meshes."""
+    return [scene for scene in technique_scenes() if column == MEAN and scene in whole()["mesh_scenes"]
+            or column in (scene, scene.split("-")[0])]
+
+
+def technique_scenes():
+    return list(whole()["techniques"][0]["rmse"])
+
+
+COLUMNS = [*dict.fromkeys(scene.split("-")[0] for scene in technique_scenes()), MEAN] if FILE.exists() else []
+
+
+def rmse(name, column=MEAN):
+    return mean(technique(name)["rmse"][scene] for scene in scenes_of(column))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("--check", action="store_true")
+    what.add_argument("--record", action="store_true")
+    options = parser.parse_args()
+    if options.record:
+        record(options.program)
+        return 0
+    found = list(check(options.program))
+    print(*found, f"{len(found)} differences", sep="\n")
+    if found:
+        print("If they are meant: tests/quality/recorded.py --record LVSM_QUALITY; tests/docs/documents.py --write")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
