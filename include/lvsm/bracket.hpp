@@ -38,7 +38,7 @@ glm::vec<2, T, Q> mergeLayers(const glm::vec<2, T, Q>& moments, const glm::vec<2
     const T a = detail::clamp(extent, T(0), T(1));
     const T b = detail::clamp(nextExtent, T(0), T(1));
     const T sum = a + b;
-    const T behind = sum < kTiny<T> ? T(0) : detail::min(T(1), b / sum);
+    const T behind = sum < kTiny<T> ? T(0) : detail::minimum(T(1), b / sum);
     const T inFront = T(1) - behind;
     const T m1 = inFront * moments.x + behind * next.x;
     const T m2 = inFront * inFront * moments.y + behind * (behind * next.y + (T(2) * inFront) * next.x);
@@ -63,7 +63,7 @@ template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> expandMoments(const glm::vec<2, T, Q>& compact)
 {
     const T m1 = detail::clamp(compact.x, T(0), T(1));
-    return {m1, detail::max(T(0), m1 - T(0.25) * detail::clamp(compact.y, T(0), T(1)))};
+    return {m1, detail::maximum(T(0), m1 - T(0.25) * detail::clamp(compact.y, T(0), T(1)))};
 }
 
 namespace detail
@@ -74,7 +74,7 @@ namespace detail
 template <typename T>
 T shareAboveZero(T m1, T m2, T minVariance)
 {
-    const T second = max(m2, m1 * m1 + minVariance);
+    const T second = maximum(m2, m1 * m1 + minVariance);
     return clamp(m1 * (m1 / clamp(second, kTiny<T>, kHuge<T>)), T(0), T(1));
 }
 
@@ -83,9 +83,9 @@ T shareAboveZero(T m1, T m2, T minVariance)
 template <typename T>
 T chebyshevMass(T mass, T m1, T m2, T t, T minVariance)
 {
-    const T v = max(mass * minVariance, mass * m2 - m1 * m1);
+    const T v = maximum(mass * minVariance, rounded(mass * m2) - rounded(m1 * m1));
     const T d = mass * t - m1;
-    const T tail = clamp(v / max(kTiny<T>, v + d * d), T(0), T(1));
+    const T tail = clamp(v / maximum(kTiny<T>, v + d * d), T(0), T(1));
     return d > T(0) ? mass * tail : mass;
 }
 
@@ -108,11 +108,11 @@ glm::vec<4, T, Q> bracketMoments(const glm::vec<2, T, Q>& front, const glm::vec<
     const T m1 = detail::clamp(moments.x, T(0), T(1));
     const T m2 = detail::clamp(moments.y, T(0), m1);
     const T a = T(1) - detail::clamp(front.x, T(0), T(1));
-    const T second = detail::clamp(front.y, T(0), T(1)) - T(1) + T(2) * a;
-    const T shareInFront = detail::min(T(1) - m1, detail::shareAboveZero(a, second, floor));
+    const T second = detail::rounded(detail::clamp(front.y, T(0), T(1)) - T(1)) + T(2) * a;
+    const T shareInFront = detail::minimum(T(1) - m1, detail::shareAboveZero(a, second, floor));
     const T shareBehind =
-        detail::min(m2, detail::shareAboveZero(detail::clamp(behind.x, T(0), T(1)), behind.y, floor));
-    return {shareBehind, detail::max(T(0), T(1) - shareInFront - shareBehind), m1 - shareBehind, m2 - shareBehind};
+        detail::minimum(m2, detail::shareAboveZero(detail::clamp(behind.x, T(0), T(1)), behind.y, floor));
+    return {shareBehind, detail::maximum(T(0), T(1) - shareInFront - shareBehind), m1 - shareBehind, m2 - shareBehind};
 }
 
 /// Visibility of a receiver from the moments of its layer and of the two neighbours.
@@ -128,7 +128,7 @@ T bracketedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, Q>& m
 {
     const T floor = layerMinVariance(minVariance, interval);
     const glm::vec<4, T, Q> left =
-        bracketMoments(front, moments, behind, detail::max(kNeighbourMinVariance<T>, floor));
+        bracketMoments(front, moments, behind, detail::maximum(kNeighbourMinVariance<T>, floor));
     const T share = detail::chebyshevMass(left.y, left.z, left.w, layerWarp(depth, interval), floor);
     return detail::clamp(left.x + share, T(0), T(1));
 }
@@ -147,12 +147,12 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
 {
     const T floor = layerMinVariance(minVariance, interval);
     const glm::vec<4, T, Q> left =
-        bracketMoments(front, moments, behind, detail::max(kNeighbourMinVariance<T>, floor));
+        bracketMoments(front, moments, behind, detail::maximum(kNeighbourMinVariance<T>, floor));
     const T t = layerWarp(depth, interval);
     const T tail = detail::chebyshevMass(left.y, left.z, left.w, t, floor);
-    const T inverse = T(1) / detail::max(kTiny<T>, t);
-    const T parabolas = (detail::min(left.z, left.z * t + (left.z - left.w)) + T(2.25) * floor * inverse) * inverse;
-    const T share = t > T(0) ? detail::min(tail, parabolas) : left.y;
+    const T inverse = T(1) / detail::maximum(kTiny<T>, t);
+    const T parabolas = (detail::minimum(left.z, left.z * t + (left.z - left.w)) + T(2.25) * floor * inverse) * inverse;
+    const T share = t > T(0) ? detail::minimum(tail, parabolas) : left.y;
     return detail::clamp(left.x + share, T(0), T(1));
 }
 
@@ -180,15 +180,15 @@ T bracketedVisibility2(const glm::vec<4, T, Q>& texel, T depth, T split, T minVa
 
     const T away1 = detail::clamp(other1 * (reach < T(0) ? -reach : reach), T(0), T(1));
     const T away2 = detail::clamp(other2 * squared, T(0), T(1));
-    const T floor = detail::max(kNeighbourMinVariance<T> * squared, minVariance);
-    const T share = away1 * (away1 / detail::max(kTiny<T>, detail::max(away2, away1 * away1 + floor)));
+    const T floor = detail::maximum(kNeighbourMinVariance<T> * squared, minVariance);
+    const T share = away1 * (away1 / detail::maximum(kTiny<T>, detail::maximum(away2, away1 * away1 + floor)));
     const T away = detail::clamp(share, T(0), T(1));
     const T lit = isBehind ? T(0) : away;
     const T left = T(1) - away;
 
     // V and d of chebyshevUpperBound times left and left^2, so that nothing is divided by left.
     const T mean = reach * own1;
-    const T v = detail::max(kTiny<T>, detail::max(left * minVariance, left * (squared * own2) - mean * mean));
+    const T v = detail::maximum(kTiny<T>, detail::maximum(left * minVariance, left * (squared * own2) - mean * mean));
     const T d = left * (depth - middle) - mean;
     const T tail = v / (v + d * d);
     return detail::clamp(lit + left * (d > T(0) ? tail : T(1)), T(0), T(1));

@@ -20,7 +20,7 @@ namespace lvsm
 template <typename T>
 T linstep(T x, T lo, T hi)
 {
-    const T range = detail::min(kHuge<T>, hi - lo);
+    const T range = detail::minimum(kHuge<T>, hi - lo);
     if (range < kTiny<T>)
         return x >= hi ? T(1) : T(0);
     return detail::clamp((x - lo) / range, T(0), T(1));

@@ -30,8 +30,8 @@ template <typename T>
 T maxTermExponent(T largest, T headRoom)
 {
     using glm::log;
-    const T ratio = detail::max(T(1), largest) / detail::clamp(headRoom, T(1), kHuge<T>);
-    return detail::clamp(log(detail::max(T(1), ratio)), T(0), kMaxTermExponent<T>);
+    const T ratio = detail::maximum(T(1), largest) / detail::clamp(headRoom, T(1), kHuge<T>);
+    return detail::clamp(log(detail::maximum(T(1), ratio)), T(0), kMaxTermExponent<T>);
 }
 
 /// Occluder term to store for one depth: e^(c z).
@@ -42,7 +42,7 @@ template <typename T>
 T occluderTerm(T depth, T exponent)
 {
     using glm::exp;
-    return detail::max(T(1),
+    return detail::maximum(T(1),
                        exp(detail::clamp(exponent, T(0), kMaxTermExponent<T>) * detail::clamp(depth, T(0), T(1))));
 }
 
@@ -78,7 +78,7 @@ T exponentialShadow(T occluder, T depth, T exponent)
 template <typename T>
 bool violatesThreshold(T occluder, T depth, T exponent, T threshold)
 {
-    return detail::receiverTerm(depth, exponent) * occluder > T(1) + detail::max(T(0), threshold);
+    return detail::receiverTerm(depth, exponent) * occluder > T(1) + detail::maximum(T(0), threshold);
 }
 
 /// Whether the window holds depths beyond the receiver, so that exponentialShadow is wrong: the conservative test.
@@ -98,7 +98,8 @@ bool violatesZMax(T depth, T zMax, T offset)
 template <typename T, glm::qualifier Q>
 T maxDepth(const glm::vec<4, T, Q>& depths)
 {
-    return detail::clamp(detail::max(detail::max(depths.x, depths.y), detail::max(depths.z, depths.w)), T(0), T(1));
+    const T greatest = detail::maximum(detail::maximum(depths.x, depths.y), detail::maximum(depths.z, depths.w));
+    return detail::clamp(greatest, T(0), T(1));
 }
 
 /// Visibility where exponentialShadow fails: four texels judged apart, then interpolated.
@@ -128,7 +129,7 @@ glm::vec<2, T, Q> logAdd(const glm::vec<2, T, Q>& sum, T depth, T weight, T expo
     const T c = detail::clamp(exponent, T(1), kHuge<T>);
     const T z = detail::clamp(depth, T(0), T(1));
     const T before = detail::clamp(sum.x, T(0), T(1));
-    const T greatest = detail::max(before, z);
+    const T greatest = detail::maximum(before, z);
     const T kept = detail::clamp(sum.y, T(0), T(0.5) * kHuge<T>) * exp(c * (before - greatest));
     return {greatest, kept + detail::clamp(weight, T(0), T(0.5) * kHuge<T>) * exp(c * (z - greatest))};
 }
@@ -156,7 +157,7 @@ T logShadow(T filtered, T depth, T exponent)
 {
     using glm::exp;
     const T difference = detail::clamp(filtered, T(0), T(1)) - detail::clamp(depth, T(0), T(1));
-    return detail::clamp(exp(detail::clamp(exponent, T(1), kHuge<T>) * detail::min(T(0), difference)), T(0), T(1));
+    return detail::clamp(exp(detail::clamp(exponent, T(1), kHuge<T>) * detail::minimum(T(0), difference)), T(0), T(1));
 }
 
 } // namespace lvsm

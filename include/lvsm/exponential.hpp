@@ -17,7 +17,7 @@ namespace lvsm
 template <typename T>
 constexpr T kLargestFp16 = T(65504.0);
 template <typename T>
-constexpr T kLargestFp32 = T(3.40282346638528859812e38);
+constexpr T kLargestFp32 = T(3.4028234663852885981e38);
 
 // Largest exponent in fp32. The second moments would be finite up to ln(FLT_MAX) / 2 = 44.36, but the bound divides by
 // up to 2 e^(2c), and Vulkan promises nothing for divisors over 2^126. So c is 125 ln 2 / 2 = 43.32170, less 1.1e-5 for
@@ -57,7 +57,7 @@ template <typename T>
 T warpedMinVariance(T minVariance, T warped, T exponent)
 {
     const T c = clamp(exponent, T(0), kMaxExponent<T>);
-    return min(T(1), T(4) * c * c * max(T(0), minVariance)) * (warped * warped);
+    return minimum(T(1), T(4) * c * c * maximum(T(0), minVariance)) * (warped * warped);
 }
 
 } // namespace detail
@@ -98,7 +98,7 @@ T exponentialVisibility4(const glm::vec<4, T, Q>& moments, T depth, const glm::v
 {
     const glm::vec<2, T, QE> warped = exponentialWarp(depth, exponents);
     const glm::vec<2, T, QE> floors = exponentialMinVariance(minVariance, depth, exponents);
-    return detail::min(chebyshevUpperBound(glm::vec<2, T, Q>(moments.x, moments.y), warped.x, floors.x),
+    return detail::minimum(chebyshevUpperBound(glm::vec<2, T, Q>(moments.x, moments.y), warped.x, floors.x),
                        chebyshevUpperBound(glm::vec<2, T, Q>(moments.z, moments.w), warped.y, floors.y));
 }
 
@@ -112,8 +112,8 @@ template <typename T>
 T maxExponent(T largest, T headRoom)
 {
     using glm::log;
-    const T ratio = detail::max(T(1), largest) / detail::clamp(headRoom, T(1), kHuge<T>);
-    return detail::clamp(T(0.5) * log(detail::max(T(1), ratio)), T(0), kMaxExponent<T>);
+    const T ratio = detail::maximum(T(1), largest) / detail::clamp(headRoom, T(1), kHuge<T>);
+    return detail::clamp(T(0.5) * log(detail::maximum(T(1), ratio)), T(0), kMaxExponent<T>);
 }
 
 } // namespace lvsm

@@ -26,7 +26,7 @@ T binomialWeight(int index, int size)
     const int last = detail::clamp(size, 1, kMaxFilterSize) - 1;
     if (index < 0 || index > last)
         return T(0);
-    const int steps = detail::min(index, last - index);
+    const int steps = detail::minimum(index, last - index);
     T weight = T(1);
     for (int j = 1; j <= last; ++j)
     {
@@ -69,7 +69,7 @@ T gaussianWeight(int index, int size, T sigma)
     T sum = T(0);
     for (int i = 0; i < count; ++i)
         sum = sum + detail::gaussianFalloff(i, count, sigma);
-    return detail::clamp(detail::gaussianFalloff(index, count, sigma) / detail::max(T(1), sum), T(0), T(1));
+    return detail::clamp(detail::gaussianFalloff(index, count, sigma) / detail::maximum(T(1), sum), T(0), T(1));
 }
 
 /// Weight of one texel of a box filter of any width, whole texels or not.
@@ -84,7 +84,7 @@ T boxWeight(T offset, T width)
     const T extent = detail::clamp(width, T(9.5367431640625e-7), T(1048576.0));
     const T reach = T(0.5) * extent;
     const T centre = detail::clamp(abs(offset), T(0), T(2097152.0));
-    const T overlap = detail::min(centre + T(0.5), reach) - detail::max(centre - T(0.5), -reach);
+    const T overlap = detail::minimum(centre + T(0.5), reach) - detail::maximum(centre - T(0.5), -reach);
     return detail::clamp(overlap / extent, T(0), T(1));
 }
 
@@ -99,7 +99,7 @@ glm::vec<2, T> linearPair(T first, T second)
 {
     const T a = detail::clamp(first, T(0), T(0.5) * kHuge<T>);
     const T b = detail::clamp(second, T(0), T(0.5) * kHuge<T>);
-    return {detail::clamp(b / detail::max(kTiny<T>, a + b), T(0), T(1)), a + b};
+    return {detail::clamp(b / detail::maximum(kTiny<T>, a + b), T(0), T(1)), a + b};
 }
 
 /// One bilinear fetch of a binomial filter: size taps cost (size + 1) / 2 fetches, so 9 taps cost 5.
@@ -129,7 +129,7 @@ glm::vec<2, T> gaussianTap(int index, int size, T sigma)
         return {T(0), T(0)};
     const glm::vec<2, T> pair =
         linearPair(gaussianWeight(2 * index, size, sigma), gaussianWeight(2 * index + 1, size, sigma));
-    return {static_cast<T>(2 * index) - T(0.5) * static_cast<T>(last) + pair.x, detail::min(T(1), pair.y)};
+    return {static_cast<T>(2 * index) - T(0.5) * static_cast<T>(last) + pair.x, detail::minimum(T(1), pair.y)};
 }
 
 /// How often a binomial sum with whole weights, not yet divided, holds its largest sample: head room for maxExponent.
@@ -140,7 +140,7 @@ template <typename T = float>
 T binomialHeadRoom(int size, int dimensions)
 {
     const int doublings =
-        detail::min((detail::clamp(size, 1, kMaxFilterSize) - 1) * detail::clamp(dimensions, 1, 3), 126);
+        detail::minimum((detail::clamp(size, 1, kMaxFilterSize) - 1) * detail::clamp(dimensions, 1, 3), 126);
     T room = T(1);
     for (int i = 0; i < doublings; ++i)
         room = T(2) * room;

@@ -39,7 +39,7 @@ T layerWarp(T depth, const glm::vec<2, T, Q>& interval)
 template <typename T>
 glm::vec<2, T> layerInterval(T begin, T end, T overlap)
 {
-    const T widening = detail::max(T(0), overlap);
+    const T widening = detail::maximum(T(0), overlap);
     return {detail::clamp(begin - widening, T(0), T(1)), detail::clamp(end + widening, T(0), T(1))};
 }
 
@@ -55,7 +55,7 @@ T layerMinVariance(T minVariance, const glm::vec<2, T, Q>& interval)
     const T squared = extent * extent;
     if (!(minVariance >= kTiny<T>))
         return T(0);
-    return T(0.25) * squared <= minVariance ? T(0.25) : detail::min(T(0.25), minVariance / squared);
+    return T(0.25) * squared <= minVariance ? T(0.25) : detail::minimum(T(0.25), minVariance / squared);
 }
 
 /// Split number index of layers of equal length.
@@ -66,7 +66,7 @@ template <typename T = float>
 T uniformSplit(int index, int layerCount)
 {
     const int count = detail::clamp(layerCount, 1, kMaxUniformLayers);
-    return index >= count ? T(1) : static_cast<T>(detail::max(index, 0)) / static_cast<T>(count);
+    return index >= count ? T(1) : static_cast<T>(detail::maximum(index, 0)) / static_cast<T>(count);
 }
 
 /// Layer that holds a depth, for layers of equal length.
@@ -78,7 +78,7 @@ int uniformLayerIndex(T depth, int layerCount)
 {
     const int count = detail::clamp(layerCount, 1, kMaxUniformLayers);
     const T scaled = detail::clamp(depth, T(0), T(1)) * static_cast<T>(count);
-    const int index = detail::min(static_cast<int>(scaled), count - 1);
+    const int index = detail::minimum(static_cast<int>(scaled), count - 1);
     if (index > 0 && depth < uniformSplit<T>(index, count))
         return index - 1;
     if (index + 1 < count && depth >= uniformSplit<T>(index + 1, count))
@@ -153,7 +153,7 @@ T layeredVisibility(const glm::vec<2, T, Q>& moments, T depth, const glm::vec<2,
 template <typename T>
 T transitionWeight(T depth, T begin, T end, T width)
 {
-    const T reach = detail::min(width, T(0.5) * (end - begin));
+    const T reach = detail::minimum(width, T(0.5) * (end - begin));
     if (!(reach >= kTiny<T>))
         return T(0);
     const T fromBegin = begin > T(0) ? linstep(depth, begin, begin + reach) : T(1);
@@ -170,7 +170,7 @@ template <typename T>
 T blendTransition(T visibility, T neighbour, T weight)
 {
     using glm::abs;
-    const T share = detail::min(T(1), abs(weight));
+    const T share = detail::minimum(T(1), abs(weight));
     return detail::clamp(visibility, T(0), T(1)) * (T(1) - share) + detail::clamp(neighbour, T(0), T(1)) * share;
 }
 

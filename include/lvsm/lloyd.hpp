@@ -99,7 +99,7 @@ struct OccluderHistogram
 
     void add(double value, double amount)
     {
-        const int bin = min(static_cast<int>(value * kBins), kBins - 1);
+        const int bin = minimum(static_cast<int>(value * kBins), kBins - 1);
         weight[bin] += amount;
         weighted[bin] += amount * value;
     }
@@ -132,31 +132,38 @@ ClusterSums clusterOf(const OccluderHistogram& histogram, T before, T split, T b
     return sums;
 }
 
-// Fills the histogram from the 2x2 neighbourhoods of an image; momentsAt(offset) gives a texel's moments.
-// False where one that is read is not finite.
-template <typename MomentsAt>
-bool gatherOccluders(OccluderHistogram& histogram, int width, int height, int maxSamples, double minVariance,
-                     double maxVariance, const MomentsAt& momentsAt)
+template <typename T, glm::qualifier Q>
+bool isFinite(const glm::vec<2, T, Q>& moments)
 {
-    const int columns = max(width - 1, 1);
-    const int rows = max(height - 1, 1);
-    const std::ptrdiff_t right = width > 1 ? 1 : 0;
+    return isFinite(moments.x) && isFinite(moments.y);
+}
+
+// Fills the histogram from the 2x2 neighbourhoods of an image; momentsOf(texel) gives a texel's moments.
+// False where a texel that is read is not finite.
+template <typename Texel, typename MomentsOf>
+bool gatherOccluders(OccluderHistogram& histogram, const Texel* texels, int width, int height, int maxSamples,
+                     double minVariance, double maxVariance, const MomentsOf& momentsOf)
+{
+    const int columns = maximum(width - 1, 1);
+    const int rows = maximum(height - 1, 1);
+    const int right = width > 1 ? 1 : 0;
     const std::ptrdiff_t below = height > 1 ? width : 0;
-    double check = 0.0;
+    bool areFinite = true;
     forEachRun(columns, rows, maxSamples, [&](int begin, int y, int count) {
-        for (int x = begin; x < begin + count; ++x)
+        const Texel* const row = texels + static_cast<std::ptrdiff_t>(y) * width + begin;
+        for (int x = 0; x < count + right; ++x)
+            areFinite &= isFinite(row[x]) && isFinite(row[x + below]);
+        for (int x = 0; x < count; ++x)
         {
-            const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + x;
             const glm::vec<2, double> moments =
-                neighbourhoodMoments(momentsAt(at), momentsAt(at + right), momentsAt(at + below),
-                                     momentsAt(at + below + right));
-            check += (moments.x - moments.x) + (moments.y - moments.y);
+                neighbourhoodMoments(momentsOf(row[x]), momentsOf(row[x + right]), momentsOf(row[x + below]),
+                                     momentsOf(row[x + below + right]));
             const double weight = occluderWeight(moments, minVariance, maxVariance);
             if (weight > 0.0)
                 histogram.add(secondOccluder(moments), weight);
         }
     });
-    return check == 0.0;
+    return areFinite;
 }
 
 template <typename T>
@@ -164,7 +171,7 @@ bool areIncreasing(const T* splits, int layerCount)
 {
     bool increasing = splits[0] == T(0) && splits[layerCount] == T(1);
     for (int i = 0; i < layerCount; ++i)
-        increasing = increasing && splits[i] <= splits[i + 1];
+        increasing = increasing && isFinite(splits[i]) && splits[i] <= splits[i + 1];
     return increasing;
 }
 
@@ -189,7 +196,7 @@ public:
             const ClusterSums sums =
                 clusterOf(m_histogram, before, split, m_splits[i + 1], i == 1, i == m_layerCount - 1);
             m_splits[i] = updateSplit(split, static_cast<T>(sums.weighted), static_cast<T>(sums.weight));
-            largest = max(largest, m_splits[i] > split ? m_splits[i] - split : split - m_splits[i]);
+            largest = maximum(largest, m_splits[i] > split ? m_splits[i] - split : split - m_splits[i]);
             before = split;
         }
         return largest;
@@ -231,7 +238,7 @@ RelaxResult<T> relax(const OccluderHistogram& histogram, T* splits, int layerCou
         {
             const glm::vec<2, int> pair = scheduledSplits(result.iterations, layerCount);
             movement = relaxation.moveSplits(pair.x, pair.x); // before the other: arguments have no order
-            movement = max(movement, relaxation.moveSplits(pair.y, pair.y));
+            movement = maximum(movement, relaxation.moveSplits(pair.y, pair.y));
         }
         else
             movement = relaxation.moveSplits(1, inner);
@@ -243,7 +250,7 @@ RelaxResult<T> relax(const OccluderHistogram& histogram, T* splits, int layerCou
             movement = T(1);
         }
         const bool isQuiet = movement <= options.tolerance;
-        result.movement = quietIterations > 0 && isQuiet ? max(result.movement, movement) : movement;
+        result.movement = quietIterations > 0 && isQuiet ? maximum(result.movement, movement) : movement;
         quietIterations = isQuiet ? quietIterations + 1 : 0;
         if (quietIterations >= round)
         {
@@ -254,16 +261,16 @@ RelaxResult<T> relax(const OccluderHistogram& histogram, T* splits, int layerCou
     return result;
 }
 
-template <typename T, typename MomentsAt>
-RelaxResult<T> relaxImage(bool hasImage, int width, int height, T* splits, int layerCount,
-                          const RelaxOptions<T>& options, const MomentsAt& momentsAt)
+template <typename Texel, typename T, typename MomentsOf>
+RelaxResult<T> relaxImage(const Texel* texels, int width, int height, T* splits, int layerCount,
+                          const RelaxOptions<T>& options, const MomentsOf& momentsOf)
 {
     RelaxResult<T> result;
     const auto stop = [&result](RelaxStatus status) {
         result.status = status;
         return result;
     };
-    if (!hasImage || width < 1 || height < 1)
+    if (texels == nullptr || width < 1 || height < 1)
         return stop(RelaxStatus::NoImage);
     if (splits == nullptr || layerCount < 1)
         return stop(RelaxStatus::NoLayers);
@@ -271,8 +278,8 @@ RelaxResult<T> relaxImage(bool hasImage, int width, int height, T* splits, int l
         return stop(RelaxStatus::SplitsNotIncreasing);
 
     OccluderHistogram histogram;
-    if (!gatherOccluders(histogram, width, height, options.maxSamples, static_cast<double>(options.minVariance),
-                         static_cast<double>(options.maxVariance), momentsAt))
+    if (!gatherOccluders(histogram, texels, width, height, options.maxSamples, static_cast<double>(options.minVariance),
+                         static_cast<double>(options.maxVariance), momentsOf))
         return stop(RelaxStatus::DepthNotFinite);
 
     for (int i = 0; !options.keepSplits && i <= layerCount; ++i)
@@ -296,11 +303,8 @@ template <typename T>
 RelaxResult<T> lloydRelax(const T* depths, int width, int height, T* splits, int layerCount,
                           const RelaxOptions<T>& options = {})
 {
-    return detail::relaxImage(depths != nullptr, width, height, splits, layerCount, options,
-                              [depths](std::ptrdiff_t at) {
-                                  const double depth = static_cast<double>(depths[at]);
-                                  return depth - depth == 0.0 ? depthMoments(depth) : glm::vec<2, double>(depth);
-                              });
+    return detail::relaxImage(depths, width, height, splits, layerCount, options,
+                              [](T depth) { return depthMoments(static_cast<double>(depth)); });
 }
 
 /// Splits for an image of moments, such as a variance shadow map, by Lloyd relaxation.
@@ -310,10 +314,10 @@ template <typename T, glm::qualifier Q>
 RelaxResult<T> lloydRelaxMoments(const glm::vec<2, T, Q>* moments, int width, int height, T* splits, int layerCount,
                                  const RelaxOptions<T>& options = {})
 {
-    return detail::relaxImage(moments != nullptr, width, height, splits, layerCount, options,
-                              [moments](std::ptrdiff_t at) {
-                                  return glm::vec<2, double>(static_cast<double>(moments[at].x),
-                                                             static_cast<double>(moments[at].y));
+    return detail::relaxImage(moments, width, height, splits, layerCount, options,
+                              [](const glm::vec<2, T, Q>& texel) {
+                                  return glm::vec<2, double>(static_cast<double>(texel.x),
+                                                             static_cast<double>(texel.y));
                               });
 }
 

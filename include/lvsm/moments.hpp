@@ -43,7 +43,7 @@ template <typename T>
 glm::vec<2, T> depthMomentsSloped(T depth, T dx, T dy)
 {
     const T m1 = detail::clamp(depth, T(0), T(1));
-    return {m1, detail::min(m1, m1 * m1 + T(0.25) * (dx * dx + dy * dy))};
+    return {m1, detail::minimum(m1, m1 * m1 + T(0.25) * (dx * dx + dy * dy))};
 }
 
 /// Mean depth of filtered moments.
@@ -62,8 +62,8 @@ T mean(const glm::vec<2, T, Q>& moments)
 template <typename T, glm::qualifier Q>
 T variance(const glm::vec<2, T, Q>& moments, T minVariance)
 {
-    const T difference = moments.y - moments.x * moments.x;
-    return detail::max(detail::max(T(0), minVariance), difference);
+    const T difference = detail::rounded(moments.y) - detail::rounded(moments.x * moments.x);
+    return detail::maximum(detail::maximum(T(0), minVariance), difference);
 }
 
 /// Upper bound on the share of the filter window that is at depth t or farther: the visibility of a receiver at t.
@@ -77,7 +77,7 @@ T chebyshevUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
 {
     const T v = variance(moments, minVariance);
     const T d = t - moments.x;
-    const T tail = detail::clamp(v / detail::max(kTiny<T>, v + d * d), T(0), T(1));
+    const T tail = detail::clamp(v / detail::maximum(kTiny<T>, v + d * d), T(0), T(1));
     return d > kRootTiny<T> ? tail : T(1);
 }
 
@@ -91,7 +91,7 @@ T chebyshevLowerBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
 {
     const T v = variance(moments, minVariance);
     const T d = moments.x - t;
-    const T tail = detail::clamp(v / detail::max(kTiny<T>, v + d * d), T(0), T(1));
+    const T tail = detail::clamp(v / detail::maximum(kTiny<T>, v + d * d), T(0), T(1));
     return d > kRootTiny<T> ? T(1) - tail : T(0);
 }
 
@@ -110,10 +110,10 @@ T boundedUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
     const T m1 = detail::clamp(moments.x, T(0), T(1));
     const T m2 = detail::clamp(moments.y, T(0), T(1));
     const T at = detail::clamp(t, T(0), T(1));
-    const T inverse = T(1) / detail::max(kTiny<T>, at);
+    const T inverse = T(1) / detail::maximum(kTiny<T>, at);
     const T room = T(2.25) * detail::clamp(minVariance, T(0), T(1)) * inverse;
-    const T parabolas = (detail::min(m1, m1 * at + (m1 - m2)) + room) * inverse;
-    return t > T(0) ? detail::clamp(detail::min(tail, parabolas), T(0), T(1)) : T(1);
+    const T parabolas = (detail::minimum(m1, m1 * at + (m1 - m2)) + room) * inverse;
+    return t > T(0) ? detail::clamp(detail::minimum(tail, parabolas), T(0), T(1)) : T(1);
 }
 
 /// Visibility with its low end cut off and the rest stretched back to [0,1]: less bleeding, darker penumbrae.
@@ -124,7 +124,7 @@ T boundedUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
 template <typename T>
 T reduceLightBleeding(T visibility, T amount)
 {
-    return linstep(visibility, detail::max(T(0), amount), T(1));
+    return linstep(visibility, detail::maximum(T(0), amount), T(1));
 }
 
 /// Least variance floor with which rounding alone never darkens a flat lit receiver by more than a stated amount.

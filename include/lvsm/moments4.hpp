@@ -31,7 +31,7 @@ constexpr T kMoment4BiasFp32 = T(3.0e-7);
 template <typename T>
 T recommendedMoment4Bias(T encodedError)
 {
-    return detail::min(T(1), T(4.865) * detail::clamp(encodedError, T(0), T(1)));
+    return detail::minimum(T(1), T(4.865) * detail::clamp(encodedError, T(0), T(1)));
 }
 
 /// Four moments to store for one depth: the powers of the depth remapped to [-1,1].
@@ -57,9 +57,9 @@ glm::vec<4, T, Q> encodeMoments4(const glm::vec<4, T, Q>& moments)
     const T b2 = detail::clamp(moments.y, T(0), T(1));
     const T b3 = detail::clamp(moments.z, T(-1), T(1));
     const T b4 = detail::clamp(moments.w, T(0), T(1));
-    return {detail::clamp(T(1.5) * b1 - T(2) * b3 + T(0.5), T(0), T(1)),
+    return {detail::clamp(detail::rounded(T(1.5) * b1 - T(2) * b3) + T(0.5), T(0), T(1)),
             detail::clamp(T(4) * (b2 - b4), T(0), T(1)),
-            detail::clamp(T(0.866025404) * b1 - T(0.384900179) * b3 + T(0.5), T(0), T(1)),
+            detail::clamp(detail::rounded(T(0.866025404) * b1 - T(0.384900179) * b3) + T(0.5), T(0), T(1)),
             detail::clamp(T(0.5) * (b2 + b4), T(0), T(1))};
 }
 
@@ -84,7 +84,8 @@ namespace detail
 // of norms 1, v and d. They are what the LDL^T decomposition of the Hankel matrix holds. The moments are first mixed
 // with a share (the bias) of moments far from the boundary of the valid ones. Result: (mean, v, skew, d).
 // The skew of a distribution on [-1,1] is at most 2. The mixed-in share alone brings v to 0.63 bias and d to
-// (0.63 - 0.63^2) bias: what is less is rounding. The constants keep products normal floats where there is no bias.
+// (0.63 - 0.63^2) bias: what is less is rounding, and contraction in shaders. The constants keep products normal floats
+// where there is no bias.
 template <typename T, glm::qualifier Q>
 glm::vec<4, T, Q> orthogonalise(const glm::vec<4, T, Q>& moments, T bias)
 {
@@ -97,11 +98,11 @@ glm::vec<4, T, Q> orthogonalise(const glm::vec<4, T, Q>& moments, T bias)
     const T b2 = even1 + share * (T(0.63) - even1);
     const T b3 = odd2 - share * odd2;
     const T b4 = even2 + share * (T(0.63) - even2);
-    const T v = max(max(T(9.0949470177292824e-13), T(0.63) * share), b2 - b1 * b1);
-    const T e = b3 - b1 * b2;
+    const T v = maximum(maximum(T(9.0949470177292824e-13), T(0.63) * share), rounded(b2) - rounded(b1 * b1));
+    const T e = rounded(b3) - rounded(b1 * b2);
     const T slope = e / v;
-    const T least = max(T(8.6736173798840355e-19), T(0.2331) * share);
-    const T d = clamp((b4 - b2 * b2) - e * slope, least, T(1));
+    const T least = maximum(T(8.6736173798840355e-19), T(0.2331) * share);
+    const T d = clamp((rounded(b4) - rounded(b2 * b2)) - e * slope, least, T(1));
     return {b1, v, clamp(slope - (b1 + b1), T(-2), T(2)), d};
 }
 
@@ -136,7 +137,7 @@ T hamburgerUpperBound(const glm::vec<4, T, Q>& moments, T t, T bias)
 
     // Where P is negative at t, there is a root on each side of it. In p x^2 + 2 half x + (d - v p) nothing cancels.
     const T half = T(0.5) * (d * y / v - basis.z * p);
-    const T root = sqrt(detail::max(kTiny<T>, half * half - p * (d - v * p)));
+    const T root = sqrt(detail::maximum(kTiny<T>, half * half - p * (d - v * p)));
     const T skewed = (mass * y * p - (T(1) - mass) * half) / root;
     const T between = detail::clamp(T(0.5) * (T(1) + mass + skewed), T(0), T(1));
     return p < T(0) ? between : y > T(0) ? mass : T(1);
@@ -204,11 +205,11 @@ T bracketedVisibility4(const glm::vec<4, T, Q>& front, const glm::vec<4, T, Q>& 
     const T b3 = detail::clamp(moments.z, T(-1), T(1));
     const T b4 = detail::clamp(moments.w, T(0), T(1));
     // No more at an end than the first two moments allow.
-    const T dark = detail::min(T(0.5) - T(0.5) * b1, detail::shareOffEnd(front, T(1), share));
-    const T lit = detail::min(detail::clamp(T(0.25) + T(0.5) * b1 + T(0.25) * b2, T(0), T(0.5) + T(0.5) * b1),
+    const T dark = detail::minimum(T(0.5) - T(0.5) * b1, detail::shareOffEnd(front, T(1), share));
+    const T lit = detail::minimum(detail::clamp(T(0.25) + T(0.5) * b1 + T(0.25) * b2, T(0), T(0.5) + T(0.5) * b1),
                               detail::shareOffEnd(behind, T(-1), share));
     const T left = detail::clamp(T(1) - dark - lit, T(0), T(1));
-    const T inverse = T(1) / detail::max(kTiny<T>, left);
+    const T inverse = T(1) / detail::maximum(kTiny<T>, left);
     const glm::vec<4, T, Q> rest((b1 + dark - lit) * inverse, (b2 - dark - lit) * inverse,
                                  (b3 + dark - lit) * inverse, (b4 - dark - lit) * inverse);
     // Rounding errors grow as the share that is left shrinks, and the bias with them.

@@ -99,7 +99,7 @@ public:
         // Relative to the largest, neither the sum nor its inverse overflows.
         double largest = 0.0;
         for (int i = 0; i < binCount; ++i)
-            largest = max(largest, weights[i]);
+            largest = maximum(largest, weights[i]);
         const double unit = largest > 0.0 ? largest : 1.0;
         double total = 0.0;
         for (int i = 0; i < binCount; ++i)
@@ -120,7 +120,7 @@ public:
     double cost(int first, int last) const
     {
         const Sums sums = between(first, last);
-        return sums.weight > 0.0 ? max(0.0, sums.second - sums.first * sums.first / sums.weight) : 0.0;
+        return sums.weight > 0.0 ? maximum(0.0, sums.second - sums.first * sums.first / sums.weight) : 0.0;
     }
 
     // Between the centres of the first and the last bin, also where rounding is all of the weight: so means rise.
@@ -205,7 +205,7 @@ private:
         if (low > high)
             return;
         const int middle = low + (high - low) / 2;
-        const int end = min(highBegin, middle - m_leastBins);
+        const int end = minimum(highBegin, middle - m_leastBins);
         int best = lowBegin;
         double least = m_previous[lowBegin] + m_costs.cost(lowBegin, middle);
         for (int begin = lowBegin + 1; begin <= end; ++begin)
@@ -246,13 +246,13 @@ bool weighDepths(const T* depths, int width, int height, int maxSamples, double*
     int bins[kRun];
     T above[kRun + 1];
     T below[kRun + 1];
-    bool isFinite = true;
+    bool areFinite = true;
     forEachRun(width, height, maxSamples, [&](int begin, int y, int count) {
         const T* row = depths + static_cast<std::ptrdiff_t>(y) * width + begin;
         const T* next = y + 1 < height ? row + width : row;
         for (int i = 0; i < count; ++i)
         {
-            isFinite &= row[i] - row[i] == T(0);
+            areFinite &= isFinite(row[i]);
             above[i] = clamp(row[i], T(0), T(1));
             below[i] = clamp(next[i], T(0), T(1));
         }
@@ -268,7 +268,7 @@ bool weighDepths(const T* depths, int width, int height, int maxSamples, double*
             const T vertical = left + right;
             const T diagonal = left - right;
             variances[i] = vertical * vertical + across * across + diagonal * diagonal;
-            bins[i] = min(static_cast<int>(above[i] * T(kMaxOptimalBins)), kMaxOptimalBins - 1);
+            bins[i] = minimum(static_cast<int>(above[i] * T(kMaxOptimalBins)), kMaxOptimalBins - 1);
         }
         for (int i = 0; i < count; ++i)
             lanes[i % kLanes][bins[i]] += static_cast<double>(sqrt(variances[i]));
@@ -276,7 +276,7 @@ bool weighDepths(const T* depths, int width, int height, int maxSamples, double*
     for (const auto& lane : lanes)
         for (int bin = 0; bin < kMaxOptimalBins; ++bin)
             weights[bin] += lane[bin];
-    return isFinite;
+    return areFinite;
 }
 
 template <typename T>
@@ -284,7 +284,7 @@ bool isPlacement(const T* splits, int layerCount)
 {
     bool rising = splits[0] == T(0) && splits[layerCount] == T(1);
     for (int i = 0; i < layerCount; ++i)
-        rising = rising && splits[i] < splits[i + 1];
+        rising = rising && isFinite(splits[i]) && splits[i] < splits[i + 1];
     return rising;
 }
 
@@ -293,7 +293,7 @@ OptimalResult<T> placeOptimally(const double* weights, int binCount, T* splits, 
                                 const OptimalOptions<T>& options)
 {
     const CellCosts costs(weights, binCount, clamp(static_cast<double>(options.uniformShare), 0.0, 1.0));
-    const int cells = min(layerCount, binCount);
+    const int cells = minimum(layerCount, binCount);
     const double leastLength = clamp(static_cast<double>(options.minLength), 0.0, 1.0);
     const int leastBins = clamp(static_cast<int>(leastLength * binCount), 1, binCount / cells);
 
@@ -350,7 +350,7 @@ OptimalResult<T> optimalSplitsHistogram(const T* weights, int binCount, T* split
     for (int i = 0; i < binCount; ++i)
     {
         copies[i] = static_cast<double>(weights[i]);
-        if (!(copies[i] >= 0.0 && copies[i] - copies[i] == 0.0))
+        if (!detail::isFinite(weights[i]) || copies[i] < 0.0)
             return stop(OptimalStatus::WeightNotFinite);
     }
     return detail::placeOptimally(copies, binCount, splits, layerCount, options);

@@ -99,9 +99,11 @@ namespace detail
 
 inline Rectangle intersection(const Rectangle& a, const Rectangle& b)
 {
-    const int x = max(a.x, b.x);
-    const int y = max(a.y, b.y);
-    return {x, y, max(min(a.x + a.width, b.x + b.width) - x, 0), max(min(a.y + a.height, b.y + b.height) - y, 0)};
+    const int x = maximum(a.x, b.x);
+    const int y = maximum(a.y, b.y);
+    const int right = minimum(a.x + a.width, b.x + b.width);
+    const int bottom = minimum(a.y + a.height, b.y + b.height);
+    return {x, y, maximum(right - x, 0), maximum(bottom - y, 0)};
 }
 
 inline void storeEnds(std::int32_t (&ends)[4], const Rectangle& rectangle)
@@ -212,7 +214,7 @@ inline Pass<StoreBlock> storePass(const float* splits, int layerCount, float ove
                                   int firstSlice = 0)
 {
     const int layers = detail::clamp(layerCount, 0, kMaxStoredLayers);
-    const int slices = detail::max((layers + 1) / 2, 1);
+    const int slices = detail::maximum((layers + 1) / 2, 1);
     Pass<StoreBlock> pass{{}, detail::groupsOver(region, slices), region};
     detail::storeEnds(pass.block.region, region);
     pass.block.layerCount = layers;

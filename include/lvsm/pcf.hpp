@@ -82,7 +82,7 @@ glm::vec<2, T, Q> pcfAdd(const glm::vec<2, T, Q>& sum, const glm::vec<4, T, Q>& 
 template <typename T, glm::qualifier Q>
 T pcfVisibility(const glm::vec<2, T, Q>& sum)
 {
-    const T all = detail::min(kHuge<T>, sum.y);
+    const T all = detail::minimum(kHuge<T>, sum.y);
     if (all < kTiny<T>)
         return T(1);
     return detail::clamp(sum.x / all, T(0), T(1));

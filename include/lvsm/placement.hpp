@@ -27,8 +27,8 @@ namespace lvsm
 template <typename T = float, glm::qualifier Q>
 glm::vec<2, T> neighbourhoodTexCoord(const glm::vec<2, int, Q>& texel, const glm::vec<2, int, Q>& size)
 {
-    const int width = detail::max(size.x, 1);
-    const int height = detail::max(size.y, 1);
+    const int width = detail::maximum(size.x, 1);
+    const int height = detail::maximum(size.y, 1);
     const T x = static_cast<T>(detail::clamp(texel.x, 0, width - 1));
     const T y = static_cast<T>(detail::clamp(texel.y, 0, height - 1));
     return {detail::clamp((x + T(1)) / static_cast<T>(width), T(0), T(1)),
@@ -42,9 +42,9 @@ template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> neighbourhoodMoments(const glm::vec<2, T, Q>& m00, const glm::vec<2, T, Q>& m10,
                                        const glm::vec<2, T, Q>& m01, const glm::vec<2, T, Q>& m11)
 {
-    const T quarter = T(0.25);
-    return {quarter * m00.x + quarter * m10.x + quarter * m01.x + quarter * m11.x,
-            quarter * m00.y + quarter * m10.y + quarter * m01.y + quarter * m11.y};
+    const auto quarter = [](T x) { return detail::rounded(T(0.25) * x); };
+    return {quarter(m00.x) + quarter(m10.x) + quarter(m01.x) + quarter(m11.x),
+            quarter(m00.y) + quarter(m10.y) + quarter(m01.y) + quarter(m11.y)};
 }
 
 /// Depth of the second occluder of a neighbourhood: the mean plus the standard deviation.
@@ -68,7 +68,7 @@ template <typename T, glm::qualifier Q>
 T occluderWeight(const glm::vec<2, T, Q>& moments, T minVariance, T maxVariance)
 {
     const T v = variance(moments, T(0));
-    return v < minVariance ? T(0) : detail::min(v, detail::max(T(0), maxVariance));
+    return v < minVariance ? T(0) : detail::minimum(v, detail::maximum(T(0), maxVariance));
 }
 
 /// Inner split nearest to a value: the cluster that the value belongs to.
@@ -117,7 +117,7 @@ glm::vec<4, T> accumulateSplits(T value, T weight, int nearest, int first, int s
 template <typename T>
 T updateSplit(T split, T weightedValue, T weight)
 {
-    const T total = detail::min(kHuge<T>, weight);
+    const T total = detail::minimum(kHuge<T>, weight);
     return detail::clamp(total < kTiny<T> ? split : weightedValue / total, T(0), T(1));
 }
 
@@ -130,7 +130,7 @@ inline glm::vec<2, int> scheduledSplits(int frame, int layerCount)
     const int inner = detail::clamp(layerCount, 1, kMaxUniformLayers) - 1;
     if (inner < 1)
         return {0, 0};
-    const int turn = 2 * (detail::max(frame, 0) % inner);
+    const int turn = 2 * (detail::maximum(frame, 0) % inner);
     return {1 + turn % inner, 1 + (turn + 1) % inner};
 }
 
@@ -142,7 +142,7 @@ template <typename T>
 void monotoneSplits(T* splits, int layerCount)
 {
     LVSM_ASSERT(splits != nullptr);
-    const int count = detail::max(layerCount, 1);
+    const int count = detail::maximum(layerCount, 1);
     splits[0] = T(0);
     for (int i = 1; i < count; ++i)
         splits[i] = detail::clamp(splits[i], splits[i - 1], T(1));
@@ -170,7 +170,7 @@ bool teleport(T* splits, int layerCount, const WeightOf& weightOf)
     {
         if (j == empty)
             continue;
-        const T after = j < layerCount ? T(0.5) * max(T(0), weightOf(j)) : T(0);
+        const T after = j < layerCount ? T(0.5) * maximum(T(0), weightOf(j)) : T(0);
         if (before + after > heaviest)
         {
             heaviest = before + after;
@@ -188,7 +188,7 @@ bool teleport(T* splits, int layerCount, const WeightOf& weightOf)
         splits[k] = splits[k + 1];
     for (int m = empty; m > behind; --m)
         splits[m] = splits[m - 1];
-    splits[behind > empty ? max(inFront, empty) : behind] = middle;
+    splits[behind > empty ? maximum(inFront, empty) : behind] = middle;
     return true;
 }
 

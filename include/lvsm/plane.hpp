@@ -63,18 +63,18 @@ T planeBracketedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T, 
                            const glm::vec<2, T, QI>& interval, T variance, T minVariance, T amount)
 {
     const T spread = detail::clamp(variance, T(0), T(1));
-    const T least = layerMinVariance(detail::max(minVariance, T(0.1) * spread), interval);
+    const T least = layerMinVariance(detail::maximum(minVariance, T(0.1) * spread), interval);
     const glm::vec<4, T, Q> left = bracketMoments(front, moments, behind, least);
     const T scale = T(1) / detail::clamp(interval.y - interval.x, T(0.0009765625), T(1));
 
     // Departures of the plane where the window is in front of the layer, behind it, and in it.
-    const T shareInFront = detail::max(T(0), T(1) - left.x - left.y);
+    const T shareInFront = detail::maximum(T(0), T(1) - left.x - left.y);
     const T inFront = scale * detail::clamp(covariances.x, T(-1), T(1)) * shareInFront /
                       detail::clamp(T(1) - front.x, T(0.001), T(1));
     const T own = scale * detail::clamp(covariances.y, T(-1), T(1));
     const T beyond = scale * detail::clamp(covariances.z, T(-1), T(1)) * left.x /
                      detail::clamp(behind.x, T(0.001), T(1));
-    const T inverse = T(1) / detail::max(T(0.001), left.y);
+    const T inverse = T(1) / detail::maximum(T(0.001), left.y);
     const T m1 = (left.z + (beyond - inFront)) * inverse;
     const T m2 = ((left.w - T(2) * (own - beyond)) + left.y * (spread * (scale * scale))) * inverse;
 

@@ -32,11 +32,12 @@ glm::vec<2, T> receiverGradient(const glm::vec<3, T, Q>& dx, const glm::vec<3, T
     const T yx = detail::clamp(dy.x, -limit, limit);
     const T yy = detail::clamp(dy.y, -limit, limit);
     const T yz = detail::clamp(dy.z, -limit, limit);
-    const T determinant = xx * yy - xy * yx;
+    const T determinant = detail::rounded(xx * yy) - detail::rounded(xy * yx);
     if (determinant < kTiny<T> && determinant > -kTiny<T>)
         return {T(0), T(0)};
-    return {detail::clamp((xz * yy - yz * xy) / determinant, T(-1), T(1)),
-            detail::clamp((yz * xx - xz * yx) / determinant, T(-1), T(1))};
+    const T alongX = detail::rounded(xz * yy) - detail::rounded(yz * xy);
+    const T alongY = detail::rounded(yz * xx) - detail::rounded(xz * yx);
+    return {detail::clamp(alongX / determinant, T(-1), T(1)), detail::clamp(alongY / determinant, T(-1), T(1))};
 }
 
 /// Depth of the receiver's plane at an offset from the receiver: what a tap of the filter should be compared with.
@@ -48,7 +49,7 @@ T planeDepth(T depth, const glm::vec<2, T, Q>& gradient, const glm::vec<2, T, QO
     const T limit = T(1.0e18);
     const T x = detail::clamp(gradient.x, T(-1), T(1)) * detail::clamp(offset.x, -limit, limit);
     const T y = detail::clamp(gradient.y, T(-1), T(1)) * detail::clamp(offset.y, -limit, limit);
-    return detail::clamp(depth + (x + y), T(0), T(1));
+    return detail::clamp(depth + detail::rounded(detail::rounded(x) + detail::rounded(y)), T(0), T(1));
 }
 
 /// Depth of the receiver moved towards the light, in proportion to its slope.
@@ -60,7 +61,7 @@ template <typename T, glm::qualifier Q>
 T shiftReceiver(T depth, const glm::vec<2, T, Q>& gradient, T shift)
 {
     using glm::abs;
-    const T slope = detail::min(T(1), abs(gradient.x)) + detail::min(T(1), abs(gradient.y));
+    const T slope = detail::minimum(T(1), abs(gradient.x)) + detail::minimum(T(1), abs(gradient.y));
     return detail::clamp(depth - detail::clamp(shift, T(0), T(1.0e18)) * slope, T(0), T(1));
 }
 
@@ -78,7 +79,7 @@ T receiverMinVariance(T minVariance, const glm::vec<2, T, Q>& gradient, T deviat
     const T x = detail::clamp(gradient.x, T(-1), T(1));
     const T y = detail::clamp(gradient.y, T(-1), T(1));
     const T width = detail::clamp(deviation, T(0), T(65536));
-    return detail::max(detail::max(T(0), minVariance), T(4) * (x * x + y * y) * (width * width));
+    return detail::maximum(detail::maximum(T(0), minVariance), T(4) * (x * x + y * y) * (width * width));
 }
 
 } // namespace lvsm

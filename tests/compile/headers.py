@@ -17,6 +17,13 @@ sys.path.insert(0, str(ROOT / "tests/support"))
 import lvsm_api  # noqa: E402
 
 WARNINGS = "-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Werror".split()
+# Macros of headers that a client may have included before ours: of Windows, X11, C libraries, Unreal and Qt. The standard
+# headers and GLM come before them, since they do not bear them all. Whatever uses one of these names does not compile.
+PLATFORM_MACROS = """
+    min max near far small hyper interface pascal cdecl IN OUT OPTIONAL CONST VOID TRUE FALSE ERROR NO_ERROR DELETE STRICT
+    THIS RELATIVE ABSOLUTE DIFFERENCE OVERFLOW UNDERFLOW DOMAIN None Bool Status Success Always True False Above Below
+    Unsorted Complex CursorShape major minor unix linux I PI M_PI B0 log2 check verify text TEXT emit signals slots
+""".split()
 STANDARDS = {"c++17": "-std=c++17", "c++20": "-std=c++20", "c++23": "-std=c++2b"}
 ALL = sorted(lvsm_api.topics(ROOT, "C++"))
 
@@ -38,10 +45,16 @@ def instantiations(header):
     return lines
 
 
-def unit(headers):
-    lines = [f"#include <lvsm/{header}.hpp>" for header in headers for _ in range(2)]
+def unit(headers, before=""):
+    lines = [before] + [f"#include <lvsm/{header}.hpp>" for header in headers for _ in range(2)]
     body = [line for header in headers for line in instantiations(header)]
     return "\n".join(lines + ["namespace lvsm", "{"] + body + ["}", ""])
+
+
+def platform_headers():
+    includes = ["cassert", "cmath", "cstddef", "cstdint", "cstring", "type_traits", "glm/glm.hpp"]
+    return "".join([f"#include <{name}>\n" for name in includes] +
+                   [f"#undef {name}\n#define {name} <a macro of another header>\n" for name in PLATFORM_MACROS])
 
 
 def run(command, **options):
@@ -64,7 +77,7 @@ def link_two_units(compile_):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("compiler")
-    parser.add_argument("setting", help=f"{', '.join(STANDARDS)}, no_exceptions_no_rtti, two_units or a GLM_FORCE_ macro")
+    parser.add_argument("setting", help=f"{', '.join(STANDARDS)}, no_exceptions_no_rtti, two_units, platform_macros or a GLM_ macro")
     parser.add_argument("--system", action="append", default=[], help="include folder of GLM")
     options = parser.parse_args()
     if not shutil.which(options.compiler):
@@ -82,7 +95,9 @@ def main():
     elif options.setting.startswith("GLM_"):
         compile_ += [f"-D{options.setting}"]
         units = [ALL]
-    checks = [run(compile_ + ["-fsyntax-only", "-x", "c++", "-"], input=unit(headers), text=True) for headers in units]
+    before = platform_headers() if options.setting == "platform_macros" else ""
+    checks = [run(compile_ + ["-fsyntax-only", "-x", "c++", "-"], input=unit(headers, before), text=True)
+              for headers in units]
     print(f"{sum(checks)} of {len(checks)} units are clean")
     return 0 if all(checks) else 1
 

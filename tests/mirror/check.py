@@ -5,6 +5,7 @@ Compares functions, parameters, types, doc comments and constants topic by topic
 the lists that a new function, test or topic has to be on, see lists.py.
 Prints every difference, one a line:  check.py [ROOT]
 """
+import fractions
 import pathlib
 import re
 import sys
@@ -86,6 +87,29 @@ def compare_constants(root, topic):
             yield f"{topic}: {name} differs: " + ", ".join(f"{value} in {language}" for language, value in of.items())
 
 
+def check_literals(root):
+    """A larger literal than the largest float is infinite to some compilers, though it would round to that float."""
+    largest = fractions.Fraction(2) ** 128 - fractions.Fraction(2) ** 104
+    for path, _ in lvsm_api.files(root):
+        for literal in re.findall(r"(?<![\w.])\d+\.?\d*(?:[eE][+-]?\d+)?", lvsm_api.without_comments(path.read_text())):
+            if fractions.Fraction(literal.rstrip(".")) > largest:
+                yield f"{path.relative_to(root)}: {literal} is more than the largest float"
+
+
+def check_precise(root, topic):
+    """What rounds where terms cancel does so in every language: LVSM_PRECISE in shaders, detail::rounded in C++."""
+    marked = {}
+    for language in LANGUAGES:
+        mark = r"\brounded\(" if language == "C++" else r"\bLVSM_PRECISE\b"
+        parts = re.split(r"^\w[^\n#;=]*?\b(?:lvsm_)?(\w+)\(", lvsm_api.without_comments(source(root, language, topic).read_text()),
+                         flags=re.MULTILINE)
+        marked[language] = {name for name, body in zip(parts[1::2], parts[2::2]) if re.search(mark, body)}
+    for name in sorted(marked["GLSL"] ^ marked["HLSL"]):
+        yield f"{topic}: {name} says LVSM_PRECISE in one of GLSL and HLSL alone"
+    for name in sorted((marked["GLSL"] | marked["HLSL"]) - marked["C++"]):
+        yield f"{topic}: {name} says LVSM_PRECISE in shaders, and not detail::rounded in C++"
+
+
 def check_shader(root, language, topic):
     path = source(root, language, topic)
     text = path.read_text()
@@ -161,7 +185,7 @@ def differences(root):
         yield from readable(topic, check_docs(root, topic))
     public = []
     for topic in sorted(set.intersection(*(topics(root, language) for language in LANGUAGES))):
-        for compare in (compare_functions, compare_types, compare_constants):
+        for compare in (compare_functions, compare_types, compare_constants, check_precise):
             yield from readable(topic, compare(root, topic))
         try:
             public += lvsm_api.functions(root, "C++", topic)
@@ -171,6 +195,7 @@ def differences(root):
         for topic in sorted(topics(root, language)):
             yield from check_shader(root, language, topic)
     yield from check_needs(root)
+    yield from check_literals(root)
     yield from check_rows(root, public)
     yield from lists.differences(root)
 

@@ -322,13 +322,13 @@ inline Interval sin(Interval x)
 
 // Exact, and without decisions, which the general templates would have to make.
 template <>
-constexpr parity::Interval lvsm::detail::min(parity::Interval a, parity::Interval b)
+constexpr parity::Interval lvsm::detail::minimum(parity::Interval a, parity::Interval b)
 {
     return {a.lo() < b.lo() ? a.lo() : b.lo(), a.hi() < b.hi() ? a.hi() : b.hi()};
 }
 
 template <>
-constexpr parity::Interval lvsm::detail::max(parity::Interval a, parity::Interval b)
+constexpr parity::Interval lvsm::detail::maximum(parity::Interval a, parity::Interval b)
 {
     return {a.lo() > b.lo() ? a.lo() : b.lo(), a.hi() > b.hi() ? a.hi() : b.hi()};
 }

@@ -421,8 +421,8 @@ TEST_CASE_TEMPLATE("a sample of a large image has its peaks", T, float, double)
     CHECK(busy.relax(splits, options));
     CHECK(busy.relax(all));
     CHECK(splits != all);
-    // As many samples as there are neighbourhoods, in whole runs, are all of them.
-    options.maxSamples = 5 * 64 * 199;
+    // As many samples as there are neighbourhoods are all of them.
+    options.maxSamples = 299 * 199;
     CHECK(busy.relax(splits, options));
     CHECK(splits == all);
 }
