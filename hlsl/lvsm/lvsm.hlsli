@@ -23,28 +23,25 @@
 //   files        one a topic. A file's third line names the others that it needs, in the order in which to paste them,
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
-// Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds
-// whole shaders that make maps and blur them. A whole use:
+// Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
+// filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds whole shaders that make
+// maps and blur them. A whole use:
 //
 // HLSL
 //
 //   #include "lvsm/lvsm.hlsli"
 //
-//   // Shadow pass: two layers in one texel of four components, cleared to (1, 1, 1, 1), then blurred.
-//   float4 storeLayers(float depth, float splits[LVSM_MAX_LAYERS + 1], int even, float overlap)
+//   // Shadow pass, back faces culled: two layers in one texel, rgba16f, cleared to (1, 1, 1, 1). Then blur the map.
+//   float4 store(float depth, float split)
 //   {
-//       return lvsm_packLayers(
-//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even], splits[even + 1], overlap)),
-//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even + 1], splits[even + 2], overlap)));
+//       return lvsm_packLayers(lvsm_layerMoments(depth, float2(0.0, split)),
+//                              lvsm_layerMoments(depth, float2(split, 1.0)));
 //   }
 //
-//   // Lighting: texel is the filtered sample of texture number lvsm_layerIndex(...) / 2.
-//   float visibility(float4 texel, float depth, float splits[LVSM_MAX_LAYERS + 1], int layer, float overlap)
+//   // Lighting: texel is one linear sample of the blurred map. minVariance: 1e-5 for half floats, 1e-6 for fp32.
+//   float visibility(float4 texel, float depth, float split)
 //   {
-//       float2 interval = lvsm_layerInterval(splits[layer], splits[layer + 1], overlap);
-//       float2 moments = lvsm_unpackLayer(texel, layer);
-//       return lvsm_reduceLightBleeding(lvsm_layeredVisibility(moments, depth, interval, 1.0e-5), 0.1);
+//       return lvsm_bracketedVisibility2(texel, depth, split, 1.0e-5);
 //   }
 #ifndef LVSM_LVSM_HLSLI
 #define LVSM_LVSM_HLSLI
@@ -61,8 +58,6 @@
 #include "pcf.hlsli"
 #include "placement.hlsli"
 #include "plane.hlsli"
-#include "quantised.hlsli"
 #include "receiver.hlsli"
-#include "trigonometric.hlsli"
 
 #endif

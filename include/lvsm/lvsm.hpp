@@ -23,63 +23,53 @@
 //   files        one a topic. A file's third line names the others that it needs, in the order in which to paste them,
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
-// Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter; on the host also lloyd, optimal and passes. A whole use, in each language:
+// Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
+// filter; on the host also lloyd, optimal and passes. A whole use, in each language:
 //
 // C++
 //
 //   #include <lvsm/lvsm.hpp>
 //
-//   // Splits for this frame's light, from its depth image.
-//   float splits[5];
-//   const auto relaxed = lvsm::lloydRelax(depths.data(), width, height, splits, 4);
-//   if (!relaxed)
-//       std::fprintf(stderr, "splits: %s\n", lvsm::describe(relaxed.status));
+//   // The split of two layers for this light, from its depth image.
+//   float splits[3];
+//   const auto placed = lvsm::optimalSplits(depths.data(), width, height, splits, 2);
+//   if (!placed)
+//       std::fprintf(stderr, "splits: %s\n", lvsm::describe(placed.status));
 //
 //   // One receiver, judged as the shader does.
-//   const int layer = lvsm::layerIndex(depth, splits, 4);
-//   const glm::vec2 interval = lvsm::layerInterval(splits[layer], splits[layer + 1], 0.01f);
-//   const glm::vec2 moments = lvsm::unpackLayer(filteredTexel(layer / 2), layer);
-//   const float visibility = lvsm::layeredVisibility(moments, depth, interval, 1.0e-5f);
+//   const float visibility = lvsm::bracketedVisibility2(filteredTexel(0), depth, splits[1], 1.0e-5f);
 //
 // GLSL
 //
 //   #include "lvsm/lvsm.glsl"
 //
-//   // Shadow pass: two layers in one texel of four components, cleared to (1, 1, 1, 1), then blurred.
-//   vec4 storeLayers(float depth, float splits[LVSM_MAX_LAYERS + 1], int even, float overlap)
+//   // Shadow pass, back faces culled: two layers in one texel, rgba16f, cleared to (1, 1, 1, 1). Then blur the map.
+//   vec4 store(float depth, float split)
 //   {
-//       return lvsm_packLayers(
-//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even], splits[even + 1], overlap)),
-//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even + 1], splits[even + 2], overlap)));
+//       return lvsm_packLayers(lvsm_layerMoments(depth, vec2(0.0, split)), lvsm_layerMoments(depth, vec2(split, 1.0)));
 //   }
 //
-//   // Lighting: texel is the filtered sample of texture number lvsm_layerIndex(...) / 2.
-//   float visibility(vec4 texel, float depth, float splits[LVSM_MAX_LAYERS + 1], int layer, float overlap)
+//   // Lighting: texel is one linear sample of the blurred map. minVariance: 1e-5 for half floats, 1e-6 for fp32.
+//   float visibility(vec4 texel, float depth, float split)
 //   {
-//       vec2 interval = lvsm_layerInterval(splits[layer], splits[layer + 1], overlap);
-//       vec2 moments = lvsm_unpackLayer(texel, layer);
-//       return lvsm_reduceLightBleeding(lvsm_layeredVisibility(moments, depth, interval, 1.0e-5), 0.1);
+//       return lvsm_bracketedVisibility2(texel, depth, split, 1.0e-5);
 //   }
 //
 // HLSL
 //
 //   #include "lvsm/lvsm.hlsli"
 //
-//   // Shadow pass: two layers in one texel of four components, cleared to (1, 1, 1, 1), then blurred.
-//   float4 storeLayers(float depth, float splits[LVSM_MAX_LAYERS + 1], int even, float overlap)
+//   // Shadow pass, back faces culled: two layers in one texel, rgba16f, cleared to (1, 1, 1, 1). Then blur the map.
+//   float4 store(float depth, float split)
 //   {
-//       return lvsm_packLayers(
-//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even], splits[even + 1], overlap)),
-//           lvsm_layerMoments(depth, lvsm_layerInterval(splits[even + 1], splits[even + 2], overlap)));
+//       return lvsm_packLayers(lvsm_layerMoments(depth, float2(0.0, split)),
+//                              lvsm_layerMoments(depth, float2(split, 1.0)));
 //   }
 //
-//   // Lighting: texel is the filtered sample of texture number lvsm_layerIndex(...) / 2.
-//   float visibility(float4 texel, float depth, float splits[LVSM_MAX_LAYERS + 1], int layer, float overlap)
+//   // Lighting: texel is one linear sample of the blurred map. minVariance: 1e-5 for half floats, 1e-6 for fp32.
+//   float visibility(float4 texel, float depth, float split)
 //   {
-//       float2 interval = lvsm_layerInterval(splits[layer], splits[layer + 1], overlap);
-//       float2 moments = lvsm_unpackLayer(texel, layer);
-//       return lvsm_reduceLightBleeding(lvsm_layeredVisibility(moments, depth, interval, 1.0e-5), 0.1);
+//       return lvsm_bracketedVisibility2(texel, depth, split, 1.0e-5);
 //   }
 #ifndef LVSM_LVSM_HPP
 #define LVSM_LVSM_HPP
@@ -99,9 +89,7 @@
 #include "pcf.hpp"
 #include "placement.hpp"
 #include "plane.hpp"
-#include "quantised.hpp"
 #include "receiver.hpp"
 #include "runs.hpp"
-#include "trigonometric.hpp"
 
 #endif

@@ -2,8 +2,8 @@
 """Compiles the code that a document shows:  snippets.py DOCUMENT --include FOLDER... --cxx COMPILER --dxc DXC
 
 In Markdown the blocks fenced as ```cpp, ```glsl and ```hlsl; in an umbrella file those under a line `// C++`, `// GLSL`
-or `// HLSL`. C++ statements stand in a function, after the names of snippet_names.hpp; a shader gets a #version and an
-empty main where it has none.
+or `// HLSL`. GLSL that includes nothing stands after the one-file version. C++ statements stand in a function, after
+the names of snippet_names.hpp; a shader gets a #version and an empty main where it has none.
 """
 import argparse
 import pathlib
@@ -29,7 +29,7 @@ def snippets(document):
         yield LANGUAGES[heading], re.sub(r"^// {0,3}", "", part, flags=re.MULTILINE)
 
 
-def program(language, code):
+def program(language, code, pasted):
     if language == "cpp":
         if "main(" in code:
             return code
@@ -39,6 +39,8 @@ def program(language, code):
         statements = [line for line in lines if line not in includes]
         return "".join([*includes, names, "void snippet()\n{\n", *statements, "}\n"])
     if language == "glsl":
+        if "#include" not in code:
+            code = pasted.read_text() + code
         if "#version" not in code:
             code = "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + code
         return code if "main(" in code else code + "void main() {}\n"
@@ -61,6 +63,7 @@ def main():
     parser.add_argument("document", type=pathlib.Path)
     parser.add_argument("--languages", nargs="+", choices=LANGUAGES.values(), help="of which it must have a snippet")
     parser.add_argument("--include", nargs="+", default=[], help="folders of shader files")
+    parser.add_argument("--pasted", type=pathlib.Path, help="what stands before GLSL that includes nothing")
     parser.add_argument("--cxx", default="c++")
     parser.add_argument("--glm", default="/usr/include", help="include folder of GLM")
     parser.add_argument("--glslang", default="glslangValidator")
@@ -72,7 +75,7 @@ def main():
         seen.append(language)
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / f"snippet.{language}"
-            path.write_text(program(language, code))
+            path.write_text(program(language, code, options.pasted))
             words = command(language, options, str(path), folder + "/out")
             if not shutil.which(words[0]):
                 print(f"skipped: no {words[0]}")
