@@ -1,5 +1,5 @@
 # Joins SOURCE and all that it includes into one file, OUTPUT, for pipelines that have no #include: all topics, or one
-# with what it needs.
+# with what it needs, or a pass.
 #   cmake -D SOURCE=glsl/lvsm/lvsm.glsl -D OUTPUT=lvsm_all.glsl -P cmake/single_file.cmake
 #   cmake -D SOURCE=glsl/lvsm/bracket.glsl -D OUTPUT=lvsm_bracket.glsl -P cmake/single_file.cmake
 # An include is looked up as a compiler does it: beside the including file, then in the folder that holds lvsm/.
@@ -20,6 +20,7 @@ function(join file)
   file(READ ${file} rest)
   string(REPLACE "${notice}" "" rest "${rest}")
   string(REGEX REPLACE "// Needs: [^\n]*\n" "" rest "${rest}")
+  string(REPLACE "#extension GL_GOOGLE_include_directive : require\n" "" rest "${rest}")
   get_filename_component(beside ${file} DIRECTORY)
   while(rest MATCHES "\n[ \t]*#[ \t]*include[ \t]+[\"<]([^\">]+)[\">][^\n]*")
     set(line "${CMAKE_MATCH_0}")
@@ -50,4 +51,10 @@ set(seen "")
 join(${SOURCE})
 # What the manual includes is this file.
 string(REPLACE "#include \"lvsm/${source}\"" "#include \"${name}\"" joined "${joined}")
+# Compilers want #version first.
+if(joined MATCHES "\n(#version[^\n]*\n)")
+  set(version "${CMAKE_MATCH_1}")
+  string(REPLACE "${version}" "" joined "${joined}")
+  set(joined "${version}${joined}")
+endif()
 file(WRITE ${OUTPUT} "${joined}")

@@ -97,16 +97,9 @@ float lvsm_largestMass(vec4 basis, float y, float p)
     return basis.y * basis.w / (basis.y * basis.w + others);
 }
 
-/// Upper bound on the share of the filter window that is at depth t or farther, from four moments.
-/// moments: as depthMoments4 made them, filtered. t: the receiver's depth remapped to [-1,1], clamped to it.
-/// bias: share of moments of a wide distribution that is mixed in against rounding, in [0,1], see the LVSM_MOMENT4_BIAS
-/// constants. Result in [0,1]. Exact for up to two occluder depths and the receiver's, but for the bias.
-/// Degenerate: moments that no distribution has are moved to the boundary of those that are.
-/// Source: Peters & Klein 2015, algorithm 3 (the bound of the Hamburger moment problem), in terms of the orthogonal
-/// polynomials: the distribution that meets the bound has an atom at t and two at the roots of the kernel polynomial.
-float lvsm_hamburgerUpperBound(vec4 moments, float t, float bias)
+// The bound of hamburgerUpperBound for a distribution with this basis.
+float lvsm_boundOfBasis(vec4 basis, float t)
 {
-    vec4 basis = lvsm_orthogonalise(moments, bias);
     float v = basis.y;
     float d = basis.w;
     float y = clamp(t, -1.0, 1.0) - basis.x;
@@ -119,6 +112,18 @@ float lvsm_hamburgerUpperBound(vec4 moments, float t, float bias)
     float skewed = (mass * y * p - (1.0 - mass) * middle) / root;
     float between = clamp(0.5 * (1.0 + mass + skewed), 0.0, 1.0);
     return p < 0.0 ? between : y > 0.0 ? mass : 1.0;
+}
+
+/// Upper bound on the share of the filter window that is at depth t or farther, from four moments.
+/// moments: as depthMoments4 made them, filtered. t: the receiver's depth remapped to [-1,1], clamped to it.
+/// bias: share of moments of a wide distribution that is mixed in against rounding, in [0,1], see the LVSM_MOMENT4_BIAS
+/// constants. Result in [0,1]. Exact for up to two occluder depths and the receiver's, but for the bias.
+/// Degenerate: moments that no distribution has are moved to the boundary of those that are.
+/// Source: Peters & Klein 2015, algorithm 3 (the bound of the Hamburger moment problem), in terms of the orthogonal
+/// polynomials: the distribution that meets the bound has an atom at t and two at the roots of the kernel polynomial.
+float lvsm_hamburgerUpperBound(vec4 moments, float t, float bias)
+{
+    return lvsm_boundOfBasis(lvsm_orthogonalise(moments, bias), t);
 }
 
 /// Visibility of a receiver from four moments (MSM4): an upper bound on the lit share of the filter window.

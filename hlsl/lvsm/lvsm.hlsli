@@ -23,9 +23,9 @@
 //   files        one a topic. A file's third line names the others that it needs, in the order in which to paste them,
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
-// Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
-// filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds whole shaders that make
-// maps and blur them. A whole use:
+// Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
+// esm, convolution, pcf, filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds
+// whole shaders that make maps and blur them. A whole use:
 //
 // HLSL
 //
@@ -58,6 +58,8 @@
 #include "pcf.hlsli"
 #include "placement.hlsli"
 #include "plane.hlsli"
+#include "quantised.hlsli"
 #include "receiver.hlsli"
+#include "trigonometric.hlsli"
 
 #endif

@@ -23,8 +23,8 @@
 //   files        one a topic. A file's third line names the others that it needs, in the order in which to paste them,
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
-// Topics: depth, moments, layers, bracket, plane, moments4, exponential, placement, receiver, esm, convolution, pcf,
-// filter; on the host also lloyd, optimal and passes. A whole use, in each language:
+// Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
+// esm, convolution, pcf, filter; on the host also lloyd, optimal and passes. A whole use, in each language:
 //
 // C++
 //
@@ -89,7 +89,9 @@
 #include "pcf.hpp"
 #include "placement.hpp"
 #include "plane.hpp"
+#include "quantised.hpp"
 #include "receiver.hpp"
 #include "runs.hpp"
+#include "trigonometric.hpp"
 
 #endif

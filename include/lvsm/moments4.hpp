@@ -115,6 +115,25 @@ T largestMass(const glm::vec<4, T, Q>& basis, T y, T p)
     return basis.y * basis.w / (basis.y * basis.w + others);
 }
 
+// The bound of hamburgerUpperBound for a distribution with this basis.
+template <typename T, glm::qualifier Q>
+T boundOfBasis(const glm::vec<4, T, Q>& basis, T t)
+{
+    using glm::sqrt;
+    const T v = basis.y;
+    const T d = basis.w;
+    const T y = clamp(t, T(-1), T(1)) - basis.x;
+    const T p = y * y - basis.z * y - v;
+    const T mass = clamp(largestMass(basis, y, p), T(0), T(1));
+
+    // Where P is negative at t, there is a root on each side of it. In p x^2 + 2 half x + (d - v p) nothing cancels.
+    const T half = T(0.5) * (d * y / v - basis.z * p);
+    const T root = sqrt(maximum(kTiny<T>, half * half - p * (d - v * p)));
+    const T skewed = (mass * y * p - (T(1) - mass) * half) / root;
+    const T between = clamp(T(0.5) * (T(1) + mass + skewed), T(0), T(1));
+    return p < T(0) ? between : y > T(0) ? mass : T(1);
+}
+
 } // namespace detail
 
 /// Upper bound on the share of the filter window that is at depth t or farther, from four moments.
@@ -127,20 +146,7 @@ T largestMass(const glm::vec<4, T, Q>& basis, T y, T p)
 template <typename T, glm::qualifier Q>
 T hamburgerUpperBound(const glm::vec<4, T, Q>& moments, T t, T bias)
 {
-    using glm::sqrt;
-    const glm::vec<4, T, Q> basis = detail::orthogonalise(moments, bias);
-    const T v = basis.y;
-    const T d = basis.w;
-    const T y = detail::clamp(t, T(-1), T(1)) - basis.x;
-    const T p = y * y - basis.z * y - v;
-    const T mass = detail::clamp(detail::largestMass(basis, y, p), T(0), T(1));
-
-    // Where P is negative at t, there is a root on each side of it. In p x^2 + 2 half x + (d - v p) nothing cancels.
-    const T half = T(0.5) * (d * y / v - basis.z * p);
-    const T root = sqrt(detail::maximum(kTiny<T>, half * half - p * (d - v * p)));
-    const T skewed = (mass * y * p - (T(1) - mass) * half) / root;
-    const T between = detail::clamp(T(0.5) * (T(1) + mass + skewed), T(0), T(1));
-    return p < T(0) ? between : y > T(0) ? mass : T(1);
+    return detail::boundOfBasis(detail::orthogonalise(moments, bias), t);
 }
 
 /// Visibility of a receiver from four moments (MSM4): an upper bound on the lit share of the filter window.

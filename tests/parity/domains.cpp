@@ -4,6 +4,7 @@
 #include <lvsm/layers.hpp>
 #include <lvsm/moments4.hpp>
 #include <lvsm/placement.hpp>
+#include <lvsm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cfloat>
@@ -132,6 +133,17 @@ void bracketedMoments4(double* words)
     const glm::dvec4 encoded = lvsm::encodeMoments4(glm::dvec4(words[16], words[17], words[18], words[19]));
     for (int i = 0; i < 4; ++i)
         words[20 + i] = encoded[i];
+}
+
+// Words 0 to 2 are depths and 3 and 6 weigh them; words 0 to 3 become their trigonometric moments.
+void trigonometricMoments(double* words)
+{
+    const double shares[] = {words[3], (1.0 - words[3]) * words[6], (1.0 - words[3]) * (1.0 - words[6])};
+    glm::dvec4 moments(0.0);
+    for (int i = 0; i < 3; ++i)
+        moments += shares[i] * lvsm::trigonometricMoments(words[i]);
+    for (int i = 0; i < 4; ++i)
+        words[i] = moments[i];
 }
 
 void sortSplits(double* words)
@@ -312,6 +324,16 @@ const std::map<std::string, Domain>& allDomains()
            share(), share(), share(), share(), share(), share(), share(), share(), share(), share(), share(), share(),
            share(), share(), share(), share(), share()},
           bracketedMoments4}},
+        // 0 to 3 the code; 4 depth; 5 depth error; 6, 7 packed words.
+        {"quantisedMoments",
+         {{share(), share(), share(), share(), depth(), {{0.0, 7.62951094e-6, 4.88758553e-4, -1.0}, 0.0, 1.0e-3},
+           integers({0.0, 65535.0, 32768.0, -1.0}, 0.0, 65535.0), integers({0.0, 65535.0, 64.0, -1.0}, 0.0, 65535.0)},
+          nullptr}},
+        // 0 to 3 moments of three depths; 4 depth; 5 bias; 6 a share.
+        {"arcMoments",
+         {{depth(), depth(), depth(), share(), depth(), {{3.92e-5, 0.0, 1.0, kSubnormal}, 1.0e-5, 1.0e-2, Scale::Logarithmic},
+           share()},
+          trigonometricMoments}},
         // 0 to 5 screen derivatives of texel and depth; 6 depth; 7, 8 gradient; 9, 10 offset; 11 shift; 12 deviation;
         // 13 minVariance.
         {"receivers",

@@ -132,6 +132,60 @@ private:
     std::vector<Exact> m_shares;
 };
 
+// A window of up to six depths with any shares.
+struct DepthWindow
+{
+    double depths[6];
+    double shares[6];
+    int count;
+
+    explicit DepthWindow(Random& random) : count(random.between(1, 6))
+    {
+        const double sharpness = random.between(0, 3);
+        double sum = 0;
+        for (int i = 0; i < count; ++i)
+        {
+            depths[i] = std::pow(random.unit<double>(), 1 + sharpness);
+            shares[i] = random.unit<double>() + 1e-3;
+            sum += shares[i];
+        }
+        for (int i = 0; i < count; ++i)
+            shares[i] /= sum;
+    }
+
+    double tail(double t) const
+    {
+        double sum = 0;
+        for (int i = 0; i < count; ++i)
+            sum += depths[i] >= t ? shares[i] : 0;
+        return sum;
+    }
+
+    // Of what is stored for each depth.
+    template <typename Store>
+    Vec4<double> mean(const Store& store) const
+    {
+        Vec4<double> sum(0);
+        for (int i = 0; i < count; ++i)
+            sum += shares[i] * store(depths[i]);
+        return sum;
+    }
+
+    // A depth of the window, or any other.
+    double receiver(Random& random) const
+    {
+        return random.between(0, 1) == 0 ? random.unit<double>() : depths[random.between(0, count - 1)];
+    }
+};
+
+inline Vec4<double> unorm16(const Vec4<double>& v)
+{
+    Vec4<double> rounded;
+    for (int i = 0; i < 4; ++i)
+        rounded[i] = std::round(v[i] * 65535) / 65535;
+    return rounded;
+}
+
 // The least that rounding can make of a bound that in exact arithmetic holds: chebyshevUpperBound of moments that were
 // rounded to T a few times, for a receiver at t. With k roundings of each moment, and M1^2, the difference and the
 // distance rounded once, v is off by at most u (k M2 + 2 k M1^2 + M1^2 + v) <= (3 k + 2) u M2 and the distance by

@@ -11,57 +11,15 @@ namespace lvsm::unit
 namespace
 {
 
-// A window of up to six depths with any shares.
-struct Window
+struct Window : DepthWindow
 {
-    double depths[6];
-    double shares[6];
-    int count;
-
-    explicit Window(Random& random) : count(random.between(1, 6))
-    {
-        const double sharpness = random.between(0, 3);
-        double sum = 0;
-        for (int i = 0; i < count; ++i)
-        {
-            depths[i] = std::pow(random.unit<double>(), 1 + sharpness);
-            shares[i] = random.unit<double>() + 1e-3;
-            sum += shares[i];
-        }
-        for (int i = 0; i < count; ++i)
-            shares[i] /= sum;
-    }
-
-    double tail(double t) const
-    {
-        double sum = 0;
-        for (int i = 0; i < count; ++i)
-            sum += depths[i] >= t ? shares[i] : 0;
-        return sum;
-    }
+    using DepthWindow::DepthWindow;
 
     Vec4<double> moments(const Vec2<double>& interval) const
     {
-        Vec4<double> sums(0);
-        for (int i = 0; i < count; ++i)
-            sums += shares[i] * layerMoments4(depths[i], interval);
-        return sums;
-    }
-
-    // A depth of the window, or any other.
-    double receiver(Random& random) const
-    {
-        return random.between(0, 1) == 0 ? random.unit<double>() : depths[random.between(0, count - 1)];
+        return mean([&](double depth) { return layerMoments4(depth, interval); });
     }
 };
-
-Vec4<double> unorm16(const Vec4<double>& v)
-{
-    Vec4<double> rounded;
-    for (int i = 0; i < 4; ++i)
-        rounded[i] = std::round(v[i] * 65535) / 65535;
-    return rounded;
-}
 
 // The bound the plain way: the kernel polynomial by solving the 3 x 3 Hankel system, its roots, and the weights of the
 // three atoms from the first moments. In long double, for moments well inside the valid ones.

@@ -4,7 +4,9 @@
 #include <lvsm/moments4.hpp>
 #include <lvsm/placement.hpp>
 #include <lvsm/plane.hpp>
+#include <lvsm/quantised.hpp>
 #include <lvsm/receiver.hpp>
+#include <lvsm/trigonometric.hpp>
 
 #include <doctest/doctest.h>
 
@@ -297,6 +299,36 @@ std::vector<Row<T>> rows()
          [](W w)
          {
              return Results<T>{hamburgerUpperBound(w.four(0), w(4), w(5))};
+         }},
+        {"quantiseMoments4", 5, 0, 1,
+         [](W w)
+         {
+             return components(quantiseMoments4(w.four(0), w(4)));
+         }},
+        {"quantisedVisibility4", 6, 0, 1,
+         [](W w)
+         {
+             return Results<T>{quantisedVisibility4(w.four(0), w(4), w(5))};
+         }},
+        {"packQuantised4", 4, 0, 65535,
+         [](W w)
+         {
+             return components(Vec2<T>(packQuantised4(w.four(0))));
+         }},
+        {"recommendedTrigonometricBias", 1, 0, 1,
+         [](W w)
+         {
+             return Results<T>{recommendedTrigonometricBias(w(0))};
+         }},
+        {"trigonometricMoments", 1, 0, 1,
+         [](W w)
+         {
+             return components(trigonometricMoments(w(0)));
+         }},
+        {"trigonometricVisibility", 6, 0, 1,
+         [](W w)
+         {
+             return Results<T>{trigonometricVisibility(w.four(0), w(4), w(5))};
          }},
         {"momentVisibility4", 6, 0, 1,
          [](W w)

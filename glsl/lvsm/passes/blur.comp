@@ -7,7 +7,8 @@
 //
 // Run it twice, from the map to a second one and back, with what blurPasses of include/lvsm/passes.hpp gives: the block,
 // and how many groups of 8 x 8 texels and one slice. LVSM_BLUR_FORMAT is the target's format.
-// GLSL ES 3.10: put `#version 310 es` in the first line's place, and the preamble of sampling/common.glsl after it.
+// GLSL ES 3.10: put `#version 310 es` in the first line's place, `precision highp float;` and `precision highp int;`
+// after it.
 #include "blur.glsl"
 
 #ifndef LVSM_BLUR_FORMAT

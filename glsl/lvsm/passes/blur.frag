@@ -7,8 +7,8 @@
 //
 // Draw it twice, from the map to a second one and back, with what blurPasses of include/lvsm/passes.hpp gives: the block,
 // and the rectangle of the target to draw over.
-// GLSL 3.30, ES 3.00 and WebGL2: put their #version in the first line's place, and in ES the preamble of
-// sampling/common.glsl after it.
+// GLSL 3.30, ES 3.00 and WebGL2: put their #version in the first line's place, and in ES `precision highp float;` and
+// `precision highp int;` after it.
 #include "blur.glsl"
 
 LVSM_BLUR_SOURCE uniform highp sampler2DArray lvsm_source;

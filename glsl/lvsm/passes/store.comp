@@ -8,7 +8,8 @@
 // Run it with what storePass of include/lvsm/passes.hpp gives, the block and how many groups of 8 x 8 texels and one
 // slice, then blur. LVSM_STORE says what a slice holds, see store.glsl; LVSM_STORE_FORMAT is the target's format. Of the
 // block, only the default LVSM_STORE reads splits, layerCount and overlap.
-// GLSL ES 3.10: put `#version 310 es` in the first line's place, and the preamble of sampling/common.glsl after it.
+// GLSL ES 3.10: put `#version 310 es` in the first line's place, `precision highp float;` and `precision highp int;`
+// after it.
 #include "store.glsl"
 
 #ifndef LVSM_STORE_FORMAT

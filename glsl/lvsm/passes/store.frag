@@ -8,8 +8,8 @@
 //
 // Draw it with what storePass of include/lvsm/passes.hpp gives, the block and the rectangle of the target to draw over,
 // then blur. LVSM_STORE says what a slice holds, see store.glsl.
-// GLSL 3.30, ES 3.00 and WebGL2: put their #version in the first line's place, and in ES the preamble of
-// sampling/common.glsl after it.
+// GLSL 3.30, ES 3.00 and WebGL2: put their #version in the first line's place, and in ES `precision highp float;` and
+// `precision highp int;` after it.
 #include "store.glsl"
 
 LVSM_STORE_DEPTHS uniform highp sampler2D lvsm_depths;

@@ -1,0 +1,164 @@
+#include "passes_truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sampling
+{
+namespace
+{
+
+using Vec4 = glm::dvec4;
+
+const float kSplits[] = {0, 0.25f, 0.625f, 1};
+
+bool isIn(const lvsm::Rectangle& rectangle, int x, int y)
+{
+    return x >= rectangle.x && x < rectangle.x + rectangle.width && y >= rectangle.y &&
+           y < rectangle.y + rectangle.height;
+}
+
+std::string describe(int x, int y, int slice)
+{
+    return std::to_string(x) + ' ' + std::to_string(y) + " slice " + std::to_string(slice);
+}
+
+// A blurred texel: every tap of a window on the map, and border for those off it.
+Vec4 blurred(const Blur& blur, const Pixels& pixels, int x, int y, int slice)
+{
+    const int size = blur.kernel.size;
+    Vec4 sum(0);
+    for (int k = 0; k < size * size; ++k)
+    {
+        const int tapX = x + k % size - size / 2;
+        const int tapY = y + k / size - size / 2;
+        const Vec4 tap = isIn(blur.map, tapX, tapY) ? Vec4(pixels.at(tapX, tapY, slice)) : Vec4(kBorder);
+        sum += blur.weight(k % size) * blur.weight(k / size) * tap;
+    }
+    return sum;
+}
+
+Vec4 twoLayers(double depth, int slice)
+{
+    const auto moments = [&](int layer)
+    {
+        if (layer >= 3)
+            return glm::dvec2(1, 1);
+        return lvsm::layerMoments(depth, lvsm::layerInterval<double>(kSplits[layer], kSplits[layer + 1], 0.0625));
+    };
+    return lvsm::packLayers(moments(2 * slice), moments(2 * slice + 1));
+}
+
+} // namespace
+
+Pixels randomPixels(int slices)
+{
+    Pixels pixels(kWidth, kHeight, slices);
+    Random random;
+    for (glm::vec4& texel : pixels.texels)
+        texel = {random.next(), random.next(), random.next(), random.next()};
+    return pixels;
+}
+
+Blur binomialBlur()
+{
+    return {lvsm::binomialKernel(9), [](int i)
+            {
+                return lvsm::binomialWeight<double>(i, 9);
+            }};
+}
+
+Blur gaussianBlur()
+{
+    return {lvsm::gaussianKernel(7, 1.5f), [](int i)
+            {
+                return lvsm::gaussianWeight(i, 7, 1.5);
+            }};
+}
+
+Blur boxBlur()
+{
+    return {lvsm::boxKernel(3.5f, false), [](int i)
+            {
+                return lvsm::boxWeight(i - 2.0, 3.5);
+            }};
+}
+
+Blur blurOfPart()
+{
+    Blur blur = binomialBlur();
+    blur.map = {2, 1, 9, 7};
+    blur.region = {4, 2, 5, 6};
+    return blur;
+}
+
+bool compareBlur(const std::string& what, const Blur& blur, const Pixels& source, const Pixels& target, int bits)
+{
+    // A sampler places a fetch between two texels in steps of 2^-bits: of values in [0,4], each direction is off by at
+    // most half a step. Both directions, and their rounding.
+    const double tolerance = 4 * (std::ldexp(1.0, -bits) + 1.0 / (1 << 20));
+    const lvsm::Rectangle written = blur.passes().down.region;
+    Comparison comparison(what);
+    for (int i = 0; i < kWidth * kHeight * kSlices; ++i)
+    {
+        const int x = i % kWidth;
+        const int y = i / kWidth % kHeight;
+        const int slice = i / (kWidth * kHeight);
+        const Vec4 expected = isIn(written, x, y) ? blurred(blur, source, x, y, slice) : Vec4(0);
+        for (int c = 0; c < 4; ++c)
+            comparison.expect(static_cast<double>(target.at(x, y, slice)[c]), expected[c], tolerance,
+                              describe(x, y, slice));
+    }
+    return comparison.passed();
+}
+
+Store layersStore()
+{
+    return {"", twoLayers};
+}
+
+Store exponentialStore(bool hlsl)
+{
+    const std::string exponents = hlsl ? "float2(5.0, 2.0)" : "vec2(5.0, 2.0)";
+    return {"#define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, " + exponents +
+                ")\n#define LVSM_STORE_LARGEST LVSM_LARGEST_FP16\n",
+            [](double depth, int)
+            {
+                return lvsm::exponentialMoments(depth, glm::dvec2(5, 2));
+            }};
+}
+
+lvsm::Pass<lvsm::StoreBlock> storePassOfTest()
+{
+    return lvsm::storePass(kSplits, 3, 0.0625f, kWhole);
+}
+
+Pixels storeDepths()
+{
+    Pixels pixels = randomPixels(1);
+    pixels.at(0, 0).x = 0;
+    pixels.at(1, 0).x = 1;
+    return pixels;
+}
+
+bool compareStore(const std::string& what, const Store& store, const Pixels& depths, const Pixels& target)
+{
+    Comparison comparison(what);
+    for (int i = 0; i < kWidth * kHeight * kSlices; ++i)
+    {
+        const int x = i % kWidth;
+        const int y = i / kWidth % kHeight;
+        const int slice = i / (kWidth * kHeight);
+        const Vec4 expected = store.texel(static_cast<double>(depths.at(x, y).x), slice);
+        for (int c = 0; c < 4; ++c)
+        {
+            // Ten units of one division and a square, or 3 + 2 * 5 of an exponential of 5 and its square.
+            const double tolerance = 40.0 / (1 << 23) * std::max(1.0, std::abs(expected[c]));
+            comparison.expect(static_cast<double>(target.at(x, y, slice)[c]), expected[c], tolerance,
+                              describe(x, y, slice));
+        }
+    }
+    return comparison.passed();
+}
+
+} // namespace sampling
