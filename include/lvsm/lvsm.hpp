@@ -24,7 +24,7 @@
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter; on the host also lloyd, optimal and passes. A whole use, in each language:
+// esm, convolution, pcf, filter; on the host also lloyd, optimal, passes and passes_place. A whole use, in each language:
 //
 // C++
 //
@@ -86,6 +86,7 @@
 #include "moments4.hpp"
 #include "optimal.hpp"
 #include "passes.hpp"
+#include "passes_place.hpp"
 #include "pcf.hpp"
 #include "placement.hpp"
 #include "plane.hpp"

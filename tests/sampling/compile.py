@@ -45,6 +45,8 @@ def hlsl_as_dxil(dxc, folder):
         path = ROOT / f"hlsl/lvsm/passes/{name}.hlsl"
         yield compile_("cs_6_0", f"lvsm_{name}Compute", path)
         yield compile_("ps_6_0", f"lvsm_{name}Pixel", path)
+    for entry in ("histogram", "place"):
+        yield compile_("cs_6_0", f"lvsm_{entry}Compute", ROOT / "hlsl/lvsm/passes/place.hlsl")
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])

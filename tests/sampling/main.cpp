@@ -68,7 +68,8 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"borders", sampling::checkBorders},
                                               {"esm_of_blurred_map", sampling::checkBlurredEsm},
                                               {"blur", sampling::checkBlur},
-                                              {"store", sampling::checkStore}};
+                                              {"store", sampling::checkStore},
+                                              {"place", sampling::checkPlacing}};
 
 int runOnDevices(Check check, const sampling::Form& form, const std::vector<std::string>& devices)
 {
