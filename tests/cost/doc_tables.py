@@ -16,11 +16,19 @@ def fetches():
     return {name: int(count) for name, count in re.findall(r"^ESTIMATE\(([^,]+), (\d+),", text, re.MULTILINE)}
 
 
+def both(target, name):
+    return f"{ROWS[target, name]['instructions']}, {ROWS[target, name]['inverse_throughput']}"
+
+
 def estimates():
     """Instructions and inverse throughput of each whole estimate."""
-    cells = [[f"{ROWS[target, name]['instructions']}, {ROWS[target, name]['inverse_throughput']}" for target in TARGETS]
-             for name in fetches()]
-    return [["estimate", *TARGETS], *([name, *line] for name, line in zip(fetches(), cells))]
+    return [["estimate", *TARGETS], *([name, *(both(target, name) for target in TARGETS)] for name in fetches())]
+
+
+def passes():
+    """The same of each whole pass, which has no loads apart."""
+    names = [name for target, name in ROWS if target == FIRST and ROWS[target, name]["load_instructions"] == 0]
+    return [["pass", *TARGETS], *([name, *(both(target, name) for target in TARGETS)] for name in names)]
 
 
 def cost(name, target=FIRST):
@@ -38,5 +46,5 @@ def paid(name, target=FIRST):
     return cost(name, target) + loads(name, target)
 
 
-TABLES = {"cost.estimates": estimates}
+TABLES = {"cost.estimates": estimates, "cost.passes": passes}
 NAMES = {"cost": cost, "loads": loads, "paid": paid, "mesa": re.search(r"[\d.]+", RECORDED["compiler"]).group()}

@@ -5,6 +5,8 @@
 #include <lvsm/config.hpp>
 
 #include <cfloat>
+#include <fstream>
+#include <iterator>
 
 namespace cost
 {
@@ -196,6 +198,42 @@ std::vector<Kernel> estimateKernels()
         const std::string store = "    outputs[gl_GlobalInvocationID.x] = ";
         kernels.push_back({estimate.name, estimateKernel(estimate.texels, store + estimate.expression + ";\n"),
                            estimateKernel(estimate.texels, loads + store + "sum;\n")});
+    }
+    return kernels;
+}
+
+std::vector<Kernel> passKernels(const std::string& glslFolder)
+{
+    struct Setting
+    {
+        std::string name;
+        std::string pass;
+        std::string macros;
+    };
+    std::vector<Setting> settings;
+    for (const int taps : {5, 9, 15, 25, 33})
+        settings.push_back({"blur " + std::to_string(taps) + " taps", "blur",
+                            "#define LVSM_BLUR_FETCHES " + std::to_string((taps + 1) / 2) + '\n'});
+    settings.push_back({"blur any taps", "blur", ""});
+    settings.push_back({"store two layers", "store", ""});
+    settings.push_back({"store EVSM4", "store",
+                        "#define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, vec2(5.54, 5.54))\n"
+                        "#define LVSM_STORE_LARGEST LVSM_LARGEST_FP16\n"});
+    const std::string blurBindings = "#define LVSM_BLUR_SOURCE layout(binding = 2)\n"
+                                     "#define LVSM_BLUR_TARGET layout(binding = 3)\n"
+                                     "#define LVSM_BLUR_BLOCK layout(std140, binding = 4)\n";
+    const std::string storeBindings = "#define LVSM_STORE_DEPTHS layout(binding = 2)\n"
+                                      "#define LVSM_STORE_TARGET layout(binding = 3)\n"
+                                      "#define LVSM_STORE_BLOCK layout(std140, binding = 4)\n";
+    std::vector<Kernel> kernels;
+    for (const Setting& setting : settings)
+    {
+        std::ifstream file(glslFolder + "/lvsm/passes/" + setting.pass + ".comp");
+        std::string version;
+        std::getline(file, version);
+        const std::string rest(std::istreambuf_iterator<char>(file), {});
+        const std::string& bindings = setting.pass == "blur" ? blurBindings : storeBindings;
+        kernels.push_back({setting.name, version + '\n' + bindings + setting.macros + rest, ""});
     }
     return kernels;
 }

@@ -64,9 +64,11 @@ struct Compiled
 
 std::vector<std::uint32_t> compile(const std::string& name, const std::string& text, const Options& options)
 {
+    if (text.empty())
+        return {};
     lvsm::support::ShaderOptions shader;
     shader.name = name;
-    shader.includeFolders = {options.glslFolder};
+    shader.includeFolders = {options.glslFolder, options.glslFolder + "/lvsm/passes"};
     const auto spirv = lvsm::support::compileShader(text, shader);
     if (!spirv)
         fail(name + ":\n" + spirv.error());
@@ -75,6 +77,8 @@ std::vector<std::uint32_t> compile(const std::string& name, const std::string& t
 
 Statistics statistics(const Radv& radv, const std::string& name, const std::vector<std::uint32_t>& spirv)
 {
+    if (spirv.empty())
+        return {0, 0};
     const auto result = radv.compile(spirv);
     if (!result)
         fail(name + ": " + result.error());
@@ -225,7 +229,8 @@ int check(const std::string& version, const std::vector<Cost>& costs, const Opti
 int measure(const Options& options)
 {
     std::vector<Compiled> kernels;
-    for (const std::vector<Kernel>& list : {cost::estimateKernels(), cost::functionKernels()})
+    for (const std::vector<Kernel>& list :
+         {cost::estimateKernels(), cost::passKernels(options.glslFolder), cost::functionKernels()})
     {
         for (const Kernel& kernel : list)
             kernels.push_back({kernel.name, compile(kernel.name, kernel.text, options),

@@ -56,9 +56,12 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical)
 
 vk::raii::DescriptorSetLayout makeSetLayout(const vk::raii::Device& device)
 {
-    std::array<vk::DescriptorSetLayoutBinding, 2> bindings;
+    using Type = vk::DescriptorType;
+    const std::array types{Type::eStorageBuffer, Type::eStorageBuffer, Type::eCombinedImageSampler, Type::eStorageImage,
+                           Type::eUniformBuffer};
+    std::array<vk::DescriptorSetLayoutBinding, types.size()> bindings;
     for (std::uint32_t i = 0; i < bindings.size(); ++i)
-        bindings[i] = {i, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute};
+        bindings[i] = {i, types[i], 1, vk::ShaderStageFlagBits::eCompute};
     return {device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 }
 

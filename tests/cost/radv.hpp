@@ -31,7 +31,8 @@ public:
     // Version of the driver, and so of the compiler: its figures compare only with its own.
     std::string version() const;
 
-    // The shader may use two storage buffers, at bindings 0 and 1 of set 0, and 64 bytes of push constants.
+    // The shader may use, at bindings 0 to 4 of set 0, two storage buffers, a texture with its sampler, a storage image
+    // and a uniform buffer, and 64 bytes of push constants.
     lvsm::support::Result<Statistics> compile(const std::vector<std::uint32_t>& spirv) const;
 
 private:

@@ -87,8 +87,8 @@ Blur boxBlur()
 Blur blurOfPart()
 {
     Blur blur = binomialBlur();
-    blur.map = {2, 1, 9, 7};
-    blur.region = {4, 2, 5, 6};
+    blur.map = {2, 1, 20, 18};
+    blur.region = {4, 2, 11, 15};
     return blur;
 }
 

@@ -11,8 +11,8 @@
 namespace sampling
 {
 
-constexpr int kWidth = 13;
-constexpr int kHeight = 9;
+constexpr int kWidth = 29;
+constexpr int kHeight = 23;
 constexpr int kSlices = 2;
 
 const lvsm::Rectangle kWhole{0, 0, kWidth, kHeight};

@@ -46,24 +46,43 @@ LVSM_BLUR_BLOCK uniform lvsm_Blur
     vec4 lvsm_taps[33];
 };
 
+vec2 lvsm_blurTap(int fetch)
+{
+    vec4 two = lvsm_taps[fetch >> 1];
+    return (fetch & 1) == 0 ? two.xy : two.zw;
+}
+
 vec4 lvsm_blurredTexel(highp sampler2DArray source, ivec3 texel)
 {
-    vec2 size = vec2(textureSize(source, 0).xy);
+    vec2 texelSize = 1.0 / vec2(textureSize(source, 0).xy);
+    // Along the direction of the blur; across it the texel's own centre.
     vec2 centre = vec2(texel.xy) + 0.5;
     float at = dot(centre, lvsm_direction);
     float first = dot(vec2(lvsm_map.xy), lvsm_direction) + 0.5;
     float last = dot(vec2(lvsm_map.zw), lvsm_direction) - 0.5;
+    vec2 origin = (centre - at * lvsm_direction) * texelSize;
+    vec2 along = lvsm_direction * texelSize;
     vec4 sum = vec4(0.0);
-    float empty = 0.0;
-    for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
+    // No tap reaches farther than there are fetches.
+    float reach = float(LVSM_BLUR_FETCHES);
+    if (at - reach > first && at + reach < last)
     {
-        vec4 two = lvsm_taps[fetch >> 1];
-        vec2 tap = (fetch & 1) == 0 ? two.xy : two.zw;
+        for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
+        {
+            vec2 tap = lvsm_blurTap(fetch);
+            sum += tap.y * textureLod(source, vec3(origin + (at + tap.x) * along, float(texel.z)), 0.0);
+        }
+        return sum;
+    }
+    // At the edge, border takes what weight of a fetch is off the map.
+    float empty = 0.0;
+    for (int fetch = 0; fetch < lvsm_fetchCount; ++fetch)
+    {
+        vec2 tap = lvsm_blurTap(fetch);
         float inside = clamp(at + tap.x, first, last);
-        float beyond = min(abs(at + tap.x - inside), 1.0);
-        vec2 position = centre + (inside - at) * lvsm_direction;
-        sum += tap.y * (1.0 - beyond) * textureLod(source, vec3(position / size, float(texel.z)), 0.0);
-        empty += tap.y * beyond;
+        float off = tap.y * min(abs(at + tap.x - inside), 1.0);
+        sum += (tap.y - off) * textureLod(source, vec3(origin + inside * along, float(texel.z)), 0.0);
+        empty += off;
     }
     return sum + empty * lvsm_border;
 }

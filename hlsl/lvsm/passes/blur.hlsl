@@ -52,29 +52,49 @@ cbuffer lvsm_Blur : register(LVSM_BLUR_BLOCK)
 };
 SamplerState lvsm_filtering : register(LVSM_BLUR_SAMPLER);
 
+float2 lvsm_blurTap(int fetch)
+{
+    float4 two = lvsm_taps[fetch >> 1];
+    return (fetch & 1) == 0 ? two.xy : two.zw;
+}
+
 float4 lvsm_blurredTexel(int3 texel)
 {
     uint width;
     uint height;
     uint slices;
     lvsm_source.GetDimensions(width, height, slices);
-    float2 size = float2(float(width), float(height));
+    float2 texelSize = 1.0 / float2(float(width), float(height));
+    // Along the direction of the blur; across it the texel's own centre.
     float2 centre = float2(texel.xy) + 0.5;
     float at = dot(centre, lvsm_direction);
     float first = dot(float2(lvsm_map.xy), lvsm_direction) + 0.5;
     float last = dot(float2(lvsm_map.zw), lvsm_direction) - 0.5;
+    float2 origin = (centre - at * lvsm_direction) * texelSize;
+    float2 along = lvsm_direction * texelSize;
     float4 sum = float4(0.0, 0.0, 0.0, 0.0);
-    float empty = 0.0;
-    for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
+    // No tap reaches farther than there are fetches.
+    float reach = float(LVSM_BLUR_FETCHES);
+    if (at - reach > first && at + reach < last)
     {
-        float4 two = lvsm_taps[fetch >> 1];
-        float2 tap = (fetch & 1) == 0 ? two.xy : two.zw;
+        for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
+        {
+            float2 tap = lvsm_blurTap(fetch);
+            float3 position = float3(origin + (at + tap.x) * along, float(texel.z));
+            sum += tap.y * lvsm_source.SampleLevel(lvsm_filtering, position, 0.0);
+        }
+        return sum;
+    }
+    // At the edge, border takes what weight of a fetch is off the map.
+    float empty = 0.0;
+    for (int edgeFetch = 0; edgeFetch < lvsm_fetchCount; ++edgeFetch)
+    {
+        float2 tap = lvsm_blurTap(edgeFetch);
         float inside = clamp(at + tap.x, first, last);
-        float beyond = min(abs(at + tap.x - inside), 1.0);
-        float2 position = centre + (inside - at) * lvsm_direction;
-        sum += tap.y * (1.0 - beyond) *
-               lvsm_source.SampleLevel(lvsm_filtering, float3(position / size, float(texel.z)), 0.0);
-        empty += tap.y * beyond;
+        float off = tap.y * min(abs(at + tap.x - inside), 1.0);
+        float3 position = float3(origin + inside * along, float(texel.z));
+        sum += (tap.y - off) * lvsm_source.SampleLevel(lvsm_filtering, position, 0.0);
+        empty += off;
     }
     return sum + empty * lvsm_border;
 }
