@@ -94,6 +94,10 @@ def wrappers(root):
             for name in names:
                 if not re.search(rf"\b{name}\b", code[language]):
                     yield f"no shader in tests/sampling/kernels calls {name} of {path.relative_to(root)}"
+        for path in sorted((root / language / "lvsm/sampling").glob("*/*")):
+            form = path.parent.with_suffix(path.suffix)
+            if f'#include "{form.stem}/{path.name}"' not in form.read_text():
+                yield f"{form.relative_to(root)} does not include {path.relative_to(root)}"
         passes = sorted((root / language / "lvsm/passes").glob("*"))
         included = {name for path in passes for name in re.findall(r'#include "(\w+\.\w+)"', path.read_text())}
         for path in passes:

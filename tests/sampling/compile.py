@@ -12,7 +12,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GLSL_VERSIONS = {"combined": ["330 core", "400 core", "450 core", "300 es", "310 es", "320 es"], "separate": ["400 core", "450 core"]}
-HLSL_PASSES = ["blur", "store"]
+HLSL_PASSES = sorted(path.stem for path in (ROOT / "hlsl/lvsm/passes").glob("*.hlsl"))
 
 
 def run(*command):
@@ -24,6 +24,10 @@ def run(*command):
 
 
 def glsl_wrappers(glslang, folder):
+    forms = {path.stem for path in (ROOT / "glsl/lvsm/sampling").glob("*.glsl")} - {"common"}
+    for name in sorted(forms ^ set(GLSL_VERSIONS)):
+        print(f"GLSL_VERSIONS of {__file__} is to have the files of glsl/lvsm/sampling: {name}")
+        yield False
     for name, versions in GLSL_VERSIONS.items():
         for version in versions:
             path = pathlib.Path(folder) / f"{name}.frag"
