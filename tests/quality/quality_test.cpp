@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 #include "filter.hpp"
 #include "measure.hpp"
@@ -255,20 +257,84 @@ TEST_CASE("a slope is not its own shadow, a bent surface neither, and what is be
     CHECK(dark > 0);
 }
 
-TEST_CASE("four taps filter as one does")
+namespace
 {
-    const std::vector<double> narrow = binomialKernel(5);
-    const std::vector<double> wide = binomialKernel(7);
-    for (int i = 0; i < 7; ++i)
+
+// Stores the depth as it is and gives what a function makes of the filtered depth and the receiver's.
+class Linear : public Estimator
+{
+public:
+    explicit Linear(float (*visibility)(float mean, float depth)) : m_visibility(visibility) {}
+
+    void store(const Surface& nearest, float* texel) const override { texel[0] = nearest.depth; }
+    float visibility(const Query& q) const override { return m_visibility(q.texel[0], q.depth); }
+
+private:
+    float (*m_visibility)(float mean, float depth);
+};
+
+Technique linear(float (*visibility)(float mean, float depth))
+{
+    return {"linear", false, 32, 1, Format::Fp32, false, fixed<Linear>(visibility)};
+}
+
+} // namespace
+
+TEST_CASE("four taps see the same window with the same weights as one, and the plane where each of them is")
+{
+    const std::vector<double> kernel = binomialKernel(7);
+    const Scene scene = layeredScene("slanted", kSize, 2);
+    const std::vector<Receiver> receivers = receiversOf(scene, kernel);
+    const auto mean = [](float filtered, float)
     {
-        // Bilinear half-texel sample: weights 1/2, 1/2; mean of two samples half a texel away on either side: 1/4 1/2 1/4.
-        const auto at = [&](int k)
-        {
-            return k < 0 || k > 4 ? 0.0 : narrow[static_cast<std::size_t>(k)];
-        };
-        CHECK(0.25 * at(i - 2) + 0.5 * at(i - 1) + 0.25 * at(i) ==
-              doctest::Approx(wide[static_cast<std::size_t>(i)]).epsilon(1e-14));
+        return filtered;
+    };
+    const auto square = [](float, float depth)
+    {
+        return depth * depth;
+    };
+    const Technique means = linear(mean), squares = linear(square);
+    const Judge one(means, scene, receivers, kernel);
+    const Judge four(fourTaps(means), scene, receivers, kernel);
+    const Judge planes(fourTaps(squares), scene, receivers, kernel);
+    Setting plain = kPlainSetting;
+    plain.shift = 0.0f;
+    REQUIRE(!receivers.empty());
+    for (const Receiver& r : receivers)
+    {
+        CHECK(four.estimate(r, plain) == doctest::Approx(one.estimate(r, plain)).epsilon(1e-5));
+        // The mean of the squared depths half a texel away to either side along both axes.
+        const glm::vec2 g = r.surface.gradient;
+        const float expected = r.surface.depth * r.surface.depth + 0.25f * (g.x * g.x + g.y * g.y);
+        CHECK(planes.estimate(r, plain) == doctest::Approx(expected).epsilon(1e-6));
     }
+}
+
+TEST_CASE("layers relative to the plane count 0.15 of what is left in the layer as no light, and all that is behind")
+{
+    const Scene scene = layeredScene("stack", kSize, 2);
+    const std::vector<double> kernel = binomialKernel(kKernel);
+    const auto estimator = techniqueNamed("LVSM-2 unorm8 plane, uniform")
+                               .prepare({scene.peel, kernel, static_cast<float>(deviationOf(kernel))});
+    // A quarter of the window at 0.1, a half at the receiver's depth, 0.4, and a quarter in the layer behind.
+    Image image(3, 4);
+    const float depths[] = {0.1f, 0.4f, 0.4f, 0.9f};
+    for (int y = 0; y < 3; ++y)
+    {
+        for (int x = 0; x < 3; ++x)
+        {
+            for (const float depth : depths)
+            {
+                float texel[4];
+                estimator->store({depth, glm::vec2(0.0f), 1.0f}, texel);
+                for (int c = 0; c < 4; ++c)
+                    image.texel(x, y)[c] += 0.25f * texel[c];
+            }
+        }
+    }
+    const float seen = estimator->visibility({image, image.texel(1, 1), 1, 1, 0.4f, glm::vec2(0.0f), 0.0f, 0.0f});
+    const double lit = 2.0 / 3.0;
+    CHECK(seen == doctest::Approx(0.25 + 0.75 * (lit - 0.15) / 0.85).epsilon(1e-4));
 }
 
 TEST_CASE("a model that is missing or holds nothing is named")
@@ -276,6 +342,13 @@ TEST_CASE("a model that is missing or holds nothing is named")
     const auto missing = loadModel("/nowhere/model.obj");
     REQUIRE(!missing);
     CHECK(missing.error().find("/nowhere/model.obj") != std::string::npos);
+
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "lvsm_no_faces.obj";
+    std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const auto empty = loadModel(path.string());
+    std::filesystem::remove(path);
+    REQUIRE(!empty);
+    CHECK(empty.error().find(path.string()) != std::string::npos);
 }
 
 } // namespace lvsm::quality

@@ -10,55 +10,20 @@ namespace lvsm::unit
 namespace
 {
 
-// A window of a few depths on a grid of 32nds, with shares in 32nds. Splits on the same grid keep every warped depth
-// that is not 0 at least 1/32 away from it, so that rounding stays far below what the tests claim.
-struct Window
+Vec2<double> momentsOf(const DepthWindow& window, double begin, double end)
 {
-    static constexpr int kSteps = 32;
-
-    int depths[5];
-    double shares[5];
-    int count;
-
-    explicit Window(Random& random) : count(random.between(1, 5))
-    {
-        double sum = 0;
-        for (int i = 0; i < count; ++i)
-        {
-            depths[i] = random.between(0, kSteps);
-            shares[i] = random.between(1, 32);
-            sum += shares[i];
-        }
-        for (int i = 0; i < count; ++i)
-            shares[i] /= sum;
-    }
-
-    double tail(int step) const
-    {
-        double sum = 0;
-        for (int i = 0; i < count; ++i)
-            sum += depths[i] >= step ? shares[i] : 0;
-        return sum;
-    }
-
-    Vec2<double> moments(const Vec2<double>& interval) const
-    {
-        Vec2<double> sums(0);
-        for (int i = 0; i < count; ++i)
-            sums += shares[i] * layerMoments(depths[i] / double(kSteps), interval);
-        return sums;
-    }
-};
+    return window.mean([&](double depth) { return layerMoments(depth, Vec2<double>(begin, end)); });
+}
 
 // A layer with all that a bracketed estimate reads.
 struct Bracket
 {
     Vec2<double> front, moments, behind, interval;
 
-    Bracket(const Window& window, const double* splits, int layer, int layerCount)
-        : front(layer > 0 ? window.moments({splits[layer - 1], splits[layer]}) : Vec2<double>(1)),
-          moments(window.moments({splits[layer], splits[layer + 1]})),
-          behind(layer + 1 < layerCount ? window.moments({splits[layer + 1], splits[layer + 2]}) : Vec2<double>(0)),
+    Bracket(const DepthWindow& window, const double* splits, int layer, int layerCount)
+        : front(layer > 0 ? momentsOf(window, splits[layer - 1], splits[layer]) : Vec2<double>(1)),
+          moments(momentsOf(window, splits[layer], splits[layer + 1])),
+          behind(layer + 1 < layerCount ? momentsOf(window, splits[layer + 1], splits[layer + 2]) : Vec2<double>(0)),
           interval(splits[layer], splits[layer + 1])
     {
     }
@@ -77,19 +42,19 @@ struct Bracket
 int randomSplits(Random& random, double* splits)
 {
     const int layerCount = random.between(1, 6);
-    bool taken[Window::kSteps + 1] = {};
+    bool taken[DepthWindow::kSteps + 1] = {};
     for (int i = 1; i < layerCount; ++i)
-        taken[random.between(1, Window::kSteps - 1)] = true;
+        taken[random.between(1, DepthWindow::kSteps - 1)] = true;
     int count = 0;
     splits[0] = 0;
-    for (int step = 1; step < Window::kSteps; ++step)
+    for (int step = 1; step < DepthWindow::kSteps; ++step)
         if (taken[step])
-            splits[++count] = step / double(Window::kSteps);
+            splits[++count] = step / double(DepthWindow::kSteps);
     splits[++count] = 1;
     return count;
 }
 
-// Warped depths are 1/32 or more and shares 1/160 or more, so that a mean off an end is over 2^-13. The moments are off
+// Warped depths are 1/32 or more and shares 1/161 or more, so that a mean off an end is over 2^-13. The moments are off
 // by a few 2^-53, a share of a neighbour by under 2^-36, d by under 2^-35; against a floor of 2^-40 / length^2 that
 // takes away at most 2^-70 / 2^-40.
 constexpr double kFloor = 0x1p-40;
@@ -103,11 +68,11 @@ TEST_CASE("bracketed visibility bounds every distribution for any contiguous lay
     {
         double splits[8];
         const int layerCount = randomSplits(random, splits);
-        const Window window(random);
-        const int step = random.between(0, Window::kSteps);
-        const double depth = step / double(Window::kSteps);
+        const DepthWindow window = DepthWindow::onGrid(random);
+        const int step = random.between(0, DepthWindow::kSteps);
+        const double depth = step / double(DepthWindow::kSteps);
         const Bracket bracket(window, splits, layerIndex(depth, splits, layerCount), layerCount);
-        const double truth = window.tail(step);
+        const double truth = window.tail(depth);
         const double visibility = bracket.visibility(depth, kFloor);
         const double bounded = bracket.bounded(depth, kFloor);
         tally.claim(visibility >= truth - kBracketRounding, depth, truth, visibility, layerCount);
@@ -132,13 +97,13 @@ TEST_CASE("a placement made for one map gives bounded results on another")
         REQUIRE(optimalSplits(depths, 16, 16, splits, 4));
         for (int i = 0; i < 2000; ++i)
         {
-            const Window window(random);
-            const int step = random.between(0, Window::kSteps);
-            const double depth = step / double(Window::kSteps);
+            const DepthWindow window = DepthWindow::onGrid(random);
+            const int step = random.between(0, DepthWindow::kSteps);
+            const double depth = step / double(DepthWindow::kSteps);
             const Bracket bracket(window, splits, layerIndex(depth, splits, 4), 4);
             // The splits are off the grid now, and a sample can be as near to a split as rounding: hence the higher floor.
             const double visibility = bracket.visibility(depth, 1e-10);
-            tally.claim(visibility >= window.tail(step) - 1e-4 && visibility <= 1, depth, window.tail(step),
+            tally.claim(visibility >= window.tail(depth) - 1e-4 && visibility <= 1, depth, window.tail(depth),
                         visibility);
         }
     }
@@ -224,6 +189,97 @@ TEST_CASE_TEMPLATE("one code of rounding in a neighbour hides no lit surface", T
     CHECK(bracketMoments(front, own, Vec2<T>(0), T(0)).y < T(0.6));
 }
 
+// The window's own surface, at the receiver: no variance at all, and none is asked for.
+TEST_CASE_TEMPLATE("a flat lit surface is lit without any floor, at the ends of its layer too", T, float, double)
+{
+    const T splits[] = {T(0), T(0.25), T(0.5), T(0.75), T(1)};
+    for (int step = 0; step <= 16; ++step)
+    {
+        const T depth = T(step) / T(16);
+        const int layer = layerIndex(depth, splits, 4);
+        const auto seen = [&](int i)
+        {
+            return i < 0 ? Vec2<T>(1) : i > 3 ? Vec2<T>(0) : layerMoments(depth, Vec2<T>(splits[i], splits[i + 1]));
+        };
+        const Vec2<T> interval(splits[layer], splits[layer + 1]);
+        CAPTURE(depth);
+        CHECK(bracketedVisibility(seen(layer - 1), seen(layer), seen(layer + 1), depth, interval, T(0)) == T(1));
+        CHECK(bracketedBoundedVisibility(seen(layer - 1), seen(layer), seen(layer + 1), depth, interval, T(0)) == T(1));
+        const Vec4<T> texel =
+            packLayers(layerMoments(depth, Vec2<T>(0, T(0.5))), layerMoments(depth, Vec2<T>(T(0.5), 1)));
+        CHECK(bracketedVisibility2(texel, depth, T(0.5), T(0)) == T(1));
+    }
+}
+
+// A receiver at the layer's begin has nothing of the layer in front of it, whatever is left there.
+TEST_CASE_TEMPLATE("at its begin all that is left in a layer is lit", T, float, double)
+{
+    const Vec2<T> front(T(0.5), T(0.5)), own(T(0.25), T(0.125)), interval(T(0.5), T(1));
+    // Half is in front; the other half is in the layer.
+    CHECK(bracketedBoundedVisibility(front, own, Vec2<T>(0), T(0.5), interval, T(0)) == T(0.5));
+    CHECK(bracketedVisibility(front, own, Vec2<T>(0), T(0.5), interval, T(0)) == T(0.5));
+    CHECK(bracketedBoundedVisibility(front, own, Vec2<T>(0), T(0.25), interval, T(0.25)) == T(0.5));
+}
+
+// Neighbours from another window, or overlapping, can claim more than the layer's own moments leave room for.
+TEST_CASE_TEMPLATE("no more is in front or behind than the layer's own moments allow", T, float, double)
+{
+    const Vec2<T> own(T(0.75), T(0.625)), all(0), none(1);
+    const Vec4<T> dark = bracketMoments(all, own, all, T(0));
+    CHECK(dark == Vec4<T>(0, T(0.75), T(0.75), T(0.625)));
+    const Vec4<T> lit = bracketMoments(none, own, none, T(0));
+    CHECK(lit == Vec4<T>(T(0.625), T(0.375), T(0.125), 0));
+    // Both at once: what is behind keeps its share of it all.
+    CHECK(bracketMoments(all, own, none, T(0)) == Vec4<T>(T(0.625), T(0.125), T(0.125), 0));
+}
+
+// A share in front is the squared mean off the split over the mean square. Rounding to unorm16 moves the first moment
+// by half a step e and the second, counted from the split, by 3 e: a share at a mean square of s is overstated by
+// 1 / (1 - 3 e / s) and (1 + e / s)^2 at most. The floor of (1/64)^2 lets no share through whose s is less, and the two
+// come to 1.18; with half of it they would come to 1.39.
+TEST_CASE("rounding to unorm16 overstates no share in front or behind by more than a fifth")
+{
+    const double e = 0.5 / 65535;
+    Tally tally;
+    for (int i = 1; i <= 64; ++i)
+    {
+        const double share = i / 64.0;
+        for (int k = 1; k <= 1024; ++k)
+        {
+            const double distance = k / 1024.0;
+            const double mean = share * distance, square = share * distance * distance;
+            for (const double first : {-e, 0.0, e})
+            {
+                for (const double second : {-e, 0.0, e})
+                {
+                    // The front's moments are 1 - mean and 1 - 2 mean + square.
+                    const Vec2<double> front(1 - mean + first, 1 - 2 * mean + square + second);
+                    const Vec4<double> left =
+                        bracketMoments(front, Vec2<double>(0), Vec2<double>(0), kNeighbourMinVariance<double>);
+                    tally.claim(1 - left.y <= 1.2 * share + 1e-5, share, distance, first, second, 1 - left.y);
+                }
+            }
+        }
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+// Half of the window a 32nd of a layer beyond the split: the variance of that is the floor, (1/64)^2.
+TEST_CASE_TEMPLATE("what is a 32nd of a layer beyond the split is told apart", T, float, double)
+{
+    const T distance = T(1) / T(32);
+    const Vec2<T> behind(distance / 2, distance * distance / 2);
+    const Vec2<T> front(1 - behind.x, 1 - 2 * behind.x + behind.y);
+    CHECK(bracketedVisibility(front, Vec2<T>(T(0.25), T(0.125)), Vec2<T>(0), T(0.75), Vec2<T>(T(0.5), T(1)), T(0)) ==
+          T(0.5));
+    CHECK(bracketedBoundedVisibility(front, Vec2<T>(T(0.25), T(0.125)), Vec2<T>(0), T(0.75), Vec2<T>(T(0.5), T(1)),
+                                     T(0)) == T(0.5));
+    // Half lies a little behind the layer and half in front of it, at its begin.
+    CHECK(bracketedVisibility(Vec2<T>(1), Vec2<T>(T(0.5)), behind, T(0.4), Vec2<T>(T(0.25), T(0.5)), T(0)) == T(0.5));
+    const Vec4<T> texel = packLayers(front, Vec2<T>(T(0.25), T(0.125)));
+    CHECK(bracketedVisibility2(texel, T(0.75), T(0.5), T(0)) == T(0.5));
+}
+
 TEST_CASE("contiguous layers contain every coarser layering exactly")
 {
     Random random(113);
@@ -232,13 +288,13 @@ TEST_CASE("contiguous layers contain every coarser layering exactly")
     {
         double splits[8];
         const int layerCount = randomSplits(random, splits);
-        const Window window(random);
-        Vec2<double> merged = window.moments({splits[0], splits[1]});
+        const DepthWindow window = DepthWindow::onGrid(random);
+        Vec2<double> merged = momentsOf(window, splits[0], splits[1]);
         for (int layer = 1; layer < layerCount; ++layer)
         {
-            merged = mergeLayers(merged, window.moments({splits[layer], splits[layer + 1]}), splits[layer],
+            merged = mergeLayers(merged, momentsOf(window, splits[layer], splits[layer + 1]), splits[layer],
                                  splits[layer + 1] - splits[layer]);
-            const Vec2<double> whole = window.moments({0.0, splits[layer + 1]});
+            const Vec2<double> whole = momentsOf(window, 0.0, splits[layer + 1]);
             // A dozen roundings of numbers up to 1 for each of up to six layers.
             tally.claim(std::abs(merged.x - whole.x) < 72 * 0x1p-53 && std::abs(merged.y - whole.y) < 72 * 0x1p-53,
                         merged.x, whole.x, merged.y, whole.y);
@@ -261,10 +317,10 @@ TEST_CASE("bracketedVisibility2 is bracketedVisibility for two layers")
     Tally tally;
     for (int i = 0; i < 200000; ++i)
     {
-        const Window window(random);
+        const DepthWindow window = DepthWindow::onGrid(random);
         const double splits[] = {0, random.between(4, 28) / 32.0, 1};
         const double depth = random.unit<double>();
-        const Vec4<double> texel = packLayers(window.moments({0.0, splits[1]}), window.moments({splits[1], 1.0}));
+        const Vec4<double> texel = packLayers(momentsOf(window, 0.0, splits[1]), momentsOf(window, splits[1], 1.0));
         const Bracket bracket(window, splits, layerIndex(depth, splits, 2), 2);
         // The floor reaches up to the largest variance in the receiver's layer.
         const double length = depth < splits[1] ? splits[1] : 1 - splits[1];
@@ -287,17 +343,16 @@ TEST_CASE("blending to the union of two layers leaves no seam at their split")
     double largest = 0;
     for (int i = 0; i < 20000; ++i)
     {
-        const Window window(random);
+        const DepthWindow window = DepthWindow::onGrid(random);
         const double splits[] = {0, 0.5, 1};
         const auto seen = [&](double depth)
         {
             const int layer = layerIndex(depth, splits, 2);
             const Bracket bracket(window, splits, layer, 2);
             const double merged =
-                mergedVisibility(window.moments({0.0, 0.5}), window.moments({0.5, 1.0}), depth, 0.0, 0.5, 1.0, 1e-4);
+                mergedVisibility(momentsOf(window, 0.0, 0.5), momentsOf(window, 0.5, 1.0), depth, 0.0, 0.5, 1.0, 1e-4);
             const double weight = transitionWeight(depth, splits[layer], splits[layer + 1], 0.1);
-            tally.claim(merged >= window.tail(static_cast<int>(std::ceil(depth * Window::kSteps))) - 1e-9, depth,
-                        merged);
+            tally.claim(merged >= window.tail(depth) - 1e-9, depth, merged);
             const double visibility = bracket.visibility(depth, 1e-4);
             return Vec2<double>(visibility, blendTransition(visibility, merged, 2 * weight));
         };

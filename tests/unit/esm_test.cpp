@@ -129,6 +129,19 @@ TEST_CASE("the threshold test misses what the Z-Max test finds")
     CHECK_FALSE(violatesZMax(0.5, 0.52, 0.03));
 }
 
+TEST_CASE_TEMPLATE("the threshold is an excess over 1, and a negative one counts as 0", T, float, double)
+{
+    // At depth 0 the shadow is the occluder's term itself.
+    for (const T threshold : {T(-1), T(-0.02), T(0)})
+    {
+        CHECK_FALSE(violatesThreshold(T(0.99), T(0), T(80), threshold));
+        CHECK_FALSE(violatesThreshold(T(1), T(0), T(80), threshold));
+        CHECK(violatesThreshold(T(1.001), T(0), T(80), threshold));
+    }
+    CHECK_FALSE(violatesThreshold(T(1.25), T(0), T(80), T(0.25)));
+    CHECK(violatesThreshold(T(1.26), T(0), T(80), T(0.25)));
+}
+
 TEST_CASE("maxTermExponent is the largest that a format bears")
 {
     CHECK(maxTermExponent(65504.0, 1.0) == doctest::Approx(std::log(65504.0)).epsilon(1e-12));
@@ -172,6 +185,11 @@ TEST_CASE("at the largest exponent both factors are normal floats")
     CHECK(std::isnormal(std::exp(-c)));
     CHECK(std::exp(-double(c)) >= double(FLT_MIN));
     CHECK(exponentialShadow(occluderTerm(1.0f, c), 1.0f, c) == doctest::Approx(1.0).epsilon(1e-5));
+    // It is the largest, but for the error that exp may have.
+    CHECK(std::exp(-double(c) - 1e-4) < double(FLT_MIN));
+    // And larger ones count as it.
+    CHECK(occluderTerm(1.0f, 200.0f) == occluderTerm(1.0f, c));
+    CHECK(exponentialShadow(1.0e30f, 1.0f, 200.0f) == exponentialShadow(1.0e30f, 1.0f, c));
 }
 
 TEST_CASE_TEMPLATE("the log-space filter agrees with the linear one where that is possible", T, float, double)

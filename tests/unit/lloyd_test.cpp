@@ -118,6 +118,49 @@ TEST_CASE_TEMPLATE("lloydRelax moves to the weighted mean of peaks that share a 
     CHECK(isNear(splits[1], 0.5L));
 }
 
+TEST_CASE_TEMPLATE("by default variances up to 1e-6 weigh nothing and larger ones what they are", T, float, double)
+{
+    // At an edge of height h two of four texels are h away: the variance is h^2 / 4.
+    std::vector<T> splits = emptySplits<T>(2);
+    CHECK(stripes<T>({T(0.0019)}).relax(splits).status == RelaxStatus::NoDiscontinuity);
+    CHECK(stripes<T>({T(0.0021)}).relax(splits).status == RelaxStatus::Converged);
+    // The largest variance there is, 1/4, is not cut: edges to 1 weigh four times as much as edges to 1/2.
+    CHECK(stripes<T>({T(1), T(0.5)}).relax(splits).status == RelaxStatus::Converged);
+    CHECK(isNear(splits[1], 0.9L));
+}
+
+TEST_CASE_TEMPLATE("by default it has converged when no split moves by more than 1e-4, or after 64 iterations", T,
+                   float, double)
+{
+    RelaxOptions<T> options;
+    options.keepSplits = true;
+    for (const T away : {T(0.00009), T(0.00011)})
+    {
+        std::vector<T> splits{T(0), T(0.5) + away, T(1)};
+        const RelaxResult<T> result = stripes<T>({T(0.5)}).relax(splits, options);
+        CHECK(result.status == RelaxStatus::Converged);
+        CHECK(result.iterations == (away < T(0.0001) ? 1 : 2));
+    }
+    Random random(67);
+    options = {};
+    options.tolerance = T(-1);
+    std::vector<T> splits = emptySplits<T>(4);
+    CHECK(randomImage<T>(random, 16, 16).relax(splits, options).iterations == 64);
+}
+
+TEST_CASE_TEMPLATE("teleportation ends after two for each inner split", T, float, double)
+{
+    // One peak for many splits: in every iteration one of them has an empty cluster and moves, until that is enough.
+    for (int layers = 3; layers <= 12; ++layers)
+    {
+        std::vector<T> splits = emptySplits<T>(layers);
+        const RelaxResult<T> result = stripes<T>({T(0.5)}).relax(splits);
+        CAPTURE(layers);
+        CHECK(result.status == RelaxStatus::Converged);
+        CHECK(result.iterations == 2 * (layers - 1) + 1);
+    }
+}
+
 TEST_CASE_TEMPLATE("lloydRelax teleports splits that no occluder is near", T, float, double)
 {
     // From uniform splits all peaks belong to the last one: the others start with empty clusters.

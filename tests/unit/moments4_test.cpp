@@ -344,5 +344,25 @@ TEST_CASE_TEMPLATE("bracketed four moments know a layer that is all in front or 
     CHECK(bracketedVisibility4(half, half, half, T(0.3), interval, bias) == doctest::Approx(0.5).epsilon(1e-3));
 }
 
+// Neighbours from another window, or overlapping, can claim more than the layer's own moments leave room for.
+TEST_CASE_TEMPLATE("bracketed four moments take no more at an end than the layer's own mean allows", T, float, double)
+{
+    const Vec4<T> atOne = depthMoments4(T(1));
+    const Vec4<T> atZero = depthMoments4(T(0));
+    const Vec2<T> interval(T(0.25), T(0.5));
+    const T bias = kMoment4BiasUnorm16<T>;
+    // All in front, says the one in front; all behind, says the layer.
+    CHECK(bracketedVisibility4(atZero, atOne, atZero, T(0.4), interval, bias) == doctest::Approx(1).epsilon(1e-3));
+    // All behind, says the one behind; all in front, says the layer.
+    CHECK(bracketedVisibility4(atOne, atZero, atOne, T(0.4), interval, bias) == doctest::Approx(0).epsilon(1e-3));
+    // Half of the window may be at an end, and the other half is at the layer's middle: in front of the receiver.
+    const Vec4<T> half = T(0.5) * (atOne + depthMoments4(T(0.5)));
+    // With its middle at 1/2 the layer holds (1/2)^2 / 2 + 1/2 of squares, which is what may be behind at most.
+    CHECK(bracketedVisibility4(atOne, half, atOne, T(0.4), interval, bias) == doctest::Approx(0.625).epsilon(1e-3));
+    const Vec4<T> other = T(0.5) * (atZero + depthMoments4(T(0.5)));
+    // Three quarters may be in front by its mean; a quarter is left, and lies beyond the receiver's place.
+    CHECK(bracketedVisibility4(atZero, other, atZero, T(0.26), interval, bias) == doctest::Approx(0.25).epsilon(1e-3));
+}
+
 } // namespace
 } // namespace lvsm::unit

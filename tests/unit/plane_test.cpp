@@ -102,12 +102,14 @@ TEST_CASE("a slanted receiver sees what the window's samples show, whatever is i
         const double depth = begin + (end - begin) * between(0.6, 0.9);
         const double depths[] = {begin - 0.2 * between(0.4, 1.1), depth - (end - begin) * between(0.3, 0.5), depth,
                                  end + 0.2 * between(0.4, 1.1)};
+        // One of the four has much of the window on both sides.
+        const int most = random.between(0, 3);
         double weights[2][4];
         for (auto& side : weights)
         {
             double sum = 0;
             for (double& weight : side)
-                sum += weight = between(0.2, 1.0);
+                sum += weight = between(0.2, 1.0) * (&weight - side == most ? 8 : 1);
             for (double& weight : side)
                 weight *= 0.5 / sum;
         }
@@ -209,6 +211,52 @@ TEST_CASE("a neighbour's mean within a thousandth of the split counts as a thous
     CHECK(seen(none, beyond(0.0005), {0, 0, c}) == doctest::Approx(behind).epsilon(1e-9));
     CHECK(seen(none, beyond(0.002), {0, 0, 2 * c}) == doctest::Approx(behind).epsilon(1e-9));
     CHECK(std::abs(seen(none, beyond(0.002), {0, 0, c}) - behind) > 1e-4);
+}
+
+// Far beyond what a window can hold, where the result still tells one value from another.
+TEST_CASE("covariances beyond 1 count as 1, a variance beyond [0,1] as its end, and moments are those of depths")
+{
+    struct Case
+    {
+        Vec2<double> front, own, behind;
+        Vec3<double> covariances;
+        double length, variance;
+    };
+    const auto seen = [](const Case& c, double size)
+    {
+        return planeBracketedVisibility(c.front, c.own, c.behind, size * c.covariances, c.length,
+                                        Vec2<double>(0, c.length), c.variance, 0.25 * c.length * c.length, 0.0);
+    };
+    const Vec2<double> none(1), nothing(0), before(0.75, 0.5625), beyond(0.25, 0.0625);
+    for (const Case& c :
+         {Case{{0.5, 0.5}, {0, 0}, nothing, {1, 0, 0}, 1, 0}, Case{before, {0, 0}, nothing, {-1, 0, 0}, 1, 0},
+          Case{none, {0.8, 0.7}, nothing, {0, 1, 0}, 0.25, 1}, Case{none, {0.8, 0.7}, nothing, {0, -1, 0}, 1, 0},
+          Case{none, {0.06, 0.05}, beyond, {0, 0, 1}, 1, 0}, Case{none, {0.25, 0.2}, beyond, {0, 0, -1}, 1, 0}})
+    {
+        CAPTURE(c.covariances.x);
+        CAPTURE(c.covariances.y);
+        CAPTURE(c.covariances.z);
+        CHECK(seen(c, 5) == seen(c, 1));
+        CHECK(std::abs(seen(c, 0.75) - seen(c, 1)) > 1e-4);
+    }
+
+    const auto spread = [&](double variance)
+    {
+        return planeBracketedVisibility(none, Vec2<double>(0.8, 0.7), nothing, Vec3<double>(0), 0.95,
+                                        Vec2<double>(0, 1), variance, 0.0, 0.0);
+    };
+    CHECK(spread(5) == spread(1));
+    CHECK(spread(1) > spread(0.75));
+    CHECK(spread(-1) == spread(0));
+    CHECK(spread(0.01) > spread(0));
+
+    const auto neighbours = [&](const Vec2<double>& front, const Vec2<double>& behind)
+    {
+        return planeBracketedVisibility(front, Vec2<double>(0.5, 0.4), behind, Vec3<double>(0.05, 0, 0.05), 0.8,
+                                        Vec2<double>(0, 1), 0.0, 0.01, 0.0);
+    };
+    CHECK(neighbours({-3, 0}, nothing) == neighbours({0, 0}, nothing));
+    CHECK(neighbours(none, {3, 1}) == neighbours(none, {1, 1}));
 }
 
 TEST_CASE("an interval's length counts as 2^-10 at least")

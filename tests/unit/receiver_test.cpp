@@ -51,6 +51,34 @@ TEST_CASE("receiverGradient of a receiver that is steeper than any quotient can 
     CHECK(found(0, 0) == Vec2<float>(0));
 }
 
+TEST_CASE_TEMPLATE("components, offsets and shifts beyond 1e18 count as 1e18", T, float, double)
+{
+    const T far = T(1.0e30), limit = T(1.0e18), quarter = T(0.25e18), half = T(0.5);
+    for (const T sign : {T(1), T(-1)})
+    {
+        const auto near = [&](const Vec2<T>& found, T x, T y)
+        {
+            CAPTURE(found.x);
+            CAPTURE(found.y);
+            CHECK(std::abs(found.x - sign * x) < T(1e-6));
+            CHECK(std::abs(found.y - sign * y) < T(1e-6));
+        };
+        near(receiverGradient(Vec3<T>(sign * far, 0, quarter), Vec3<T>(0, 1, 0)), T(0.25), 0);
+        near(receiverGradient(Vec3<T>(0, sign * far, quarter), Vec3<T>(1, 0, 0)), 0, T(0.25));
+        near(receiverGradient(Vec3<T>(0, 1, 0), Vec3<T>(sign * far, 0, quarter)), T(0.25), 0);
+        near(receiverGradient(Vec3<T>(1, 0, 0), Vec3<T>(0, sign * far, quarter)), 0, T(0.25));
+        // Of two that cancel in part the larger is cut to twice the half of the other.
+        CHECK(receiverGradient(Vec3<T>(limit, half, sign * far), Vec3<T>(0, 1, sign * limit)).x == sign * half);
+        CHECK(receiverGradient(Vec3<T>(1, 0, sign * limit), Vec3<T>(half, limit, sign * far)).y == sign * half);
+
+        const T small = T(0x1p-62);
+        const T reached = T(0.5) + sign * limit * small;
+        CHECK(planeDepth(T(0.5), Vec2<T>(small, 0), Vec2<T>(sign * far, 0)) == reached);
+        CHECK(planeDepth(T(0.5), Vec2<T>(0, small), Vec2<T>(0, sign * far)) == reached);
+    }
+    CHECK(shiftReceiver(T(0.5), Vec2<T>(T(0x1p-62), 0), far) == T(0.5) - limit * T(0x1p-62));
+}
+
 TEST_CASE_TEMPLATE("shiftReceiver by the filter's reach goes in front of all of the receiver's own samples", T, float,
                    double)
 {
@@ -78,6 +106,29 @@ TEST_CASE_TEMPLATE("planeDepth follows the gradient", T, float, double)
     CHECK(planeDepth(T(0.5), Vec2<T>(T(0.125), T(0)), Vec2<T>(1, 7)) == T(0.625));
     CHECK(planeDepth(T(0.5), Vec2<T>(T(0.125), T(0)), Vec2<T>(100, 0)) == T(1));
     CHECK(planeDepth(T(0.5), Vec2<T>(T(0.125), T(0)), Vec2<T>(-100, 0)) == T(0));
+}
+
+TEST_CASE_TEMPLATE("a gradient beyond one per texel counts as one, either way and along either axis", T, float, double)
+{
+    const T size = T(0.0625);
+    for (const T steep : {T(1), T(3), std::numeric_limits<T>::max()})
+    {
+        for (const T sign : {T(1), T(-1)})
+        {
+            const Vec2<T> alongX(sign * steep, 0), alongY(0, sign * steep);
+            CHECK(planeDepth(T(0.5), alongX, Vec2<T>(size, T(0.25))) == T(0.5) + sign * size);
+            CHECK(planeDepth(T(0.5), alongY, Vec2<T>(T(0.25), size)) == T(0.5) + sign * size);
+            CHECK(shiftReceiver(T(0.5), alongX, size) == T(0.5) - size);
+            CHECK(shiftReceiver(T(0.5), alongY, size) == T(0.5) - size);
+            CHECK(receiverMinVariance(T(0), alongX, T(1)) == T(4));
+            CHECK(receiverMinVariance(T(0), alongY, T(1)) == T(4));
+        }
+    }
+    CHECK(shiftReceiver(T(0.5), Vec2<T>(T(0.25), T(0.25)), T(-1)) == T(0.5));
+    CHECK(shiftReceiver(T(0.5), Vec2<T>(T(1), T(1)), T(100)) == T(0));
+    CHECK(receiverMinVariance(T(-1), Vec2<T>(0), T(1)) == T(0));
+    CHECK(receiverMinVariance(T(0), Vec2<T>(1, 0), T(-1)) == T(0));
+    CHECK(receiverMinVariance(T(0), Vec2<T>(1, 0), T(1e6)) == T(4) * T(65536) * T(65536));
 }
 
 TEST_CASE("receiverMinVariance is four times the variance of a plane under the filter")
