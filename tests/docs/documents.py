@@ -8,6 +8,7 @@ A document marks what is made:
     <!-- table: cost.estimates -->     a table, up to the next  <!-- end -->
     0.93<!--= rmse("LVSM-8") / 2 -->   a figure in a sentence: the number in front of the comment is the value of the
                                        expression, to as many decimals as are written; .93 and 93% are numbers, too
+    <!-- holds: cost("VSM") < 9 -->    a claim in words: the expression is true
     <!-- given -->                     somewhere in a paragraph: its other figures are chosen or derived, not measured
 
 A table with decimals that is not marked is a fault, and so is a decimal or percentage in a sentence; code, headings
@@ -32,9 +33,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"(?P<head><!-- table: (?P<name>[\w.]+) -->\n)(?P<body>.*?)(?P<end><!-- end -->)", re.DOTALL)
 FIGURE = re.compile(r"(?P<number>-?[\d.]*\d)(?P<unit>%?)<!--= (?P<expression>.*?) -->", re.DOTALL)
+CLAIM = re.compile(r"<!-- holds: (?P<expression>.*?) -->", re.DOTALL)
 COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 # A decimal or a percentage that no marker explains.
-LOOSE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d+%)(?![\w.]*\w)")
+LOOSE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d+%|\d+e-?\d+)(?![\w.]*\w)")
 NUMERIC_CELL = re.compile(r"(?<=\| )-?\d[\d., ]*(?= \|)")
 # What is no figure: code, the target of a link, a version, the place in a paper.
 QUOTED = re.compile(r"`[^`]*`|\]\([^)]*\)|\b[A-Z]\w*\+* \d+\.\d+(\.\d+)*|\d+\.\d+\.\d+|\b[vV]\d\S*|"
@@ -51,7 +53,7 @@ def documents(root):
 
 def makers(root):
     """TABLES, NAMES and FILES of all modules doc_tables.py."""
-    tables, names, files = {}, {"ln": math.log, "sqrt": math.sqrt, "min": min, "max": max, "sum": sum, "len": len}, {}
+    tables, names, files = {}, {"ln": math.log, "sqrt": math.sqrt, "min": min, "max": max, "sum": sum, "len": len, "all": all, "any": any, "abs": abs}, {}
     for path in sorted((root / "tests").glob("*/doc_tables.py")):
         spec = importlib.util.spec_from_file_location(f"doc_tables_of_{path.parent.name}", path)
         module = importlib.util.module_from_spec(spec)
@@ -78,6 +80,14 @@ def like(written, value):
     return re.sub(r"^(-?)0\.", r"\1.", text) if re.match(r"-?\.", written) else text
 
 
+def evaluated(match, names):
+    expression = " ".join(match["expression"].split())
+    try:
+        return eval(expression, {"__builtins__": {}, **names})
+    except Exception as error:
+        raise Fault(f"cannot evaluate {expression}: {error!r}") from error
+
+
 def renewed(text, tables, names):
     """The document with every table and figure as they are now."""
     def table(match):
@@ -90,13 +100,7 @@ def renewed(text, tables, names):
         return match["head"] + (made if isinstance(made, str) else markdown(made)) + match["end"]
 
     def figure(match):
-        expression = " ".join(match["expression"].split())
-        try:
-            value = eval(expression, {"__builtins__": {}}, names)
-        except Exception as error:
-            raise Fault(f"cannot evaluate {expression}: {error!r}") from error
-        whole = match.group()
-        return like(match["number"], value) + whole[len(match["number"]):]
+        return like(match["number"], evaluated(match, names)) + match.group()[len(match["number"]):]
 
     return FIGURE.sub(figure, BLOCK.sub(table, text))
 
@@ -129,6 +133,9 @@ def faults(text, tables, names):
         new = renewed(text, tables, names)
         if new != text:
             yield f"{first_difference(text, new)}\n    tests/docs/documents.py --write mends it"
+        for match in CLAIM.finditer(text):
+            if not evaluated(match, names):
+                yield f"does not hold: {' '.join(match['expression'].split())}"
     except Fault as fault:
         yield str(fault)
     yield from loose_ends(text)

@@ -37,6 +37,10 @@ def changes(text):
     yield "a sentence with a percentage", text + "\nOurs errs 95% less.\n"
     yield "a table with whole numbers", text + "\n| a | b |\n|---|---|\n| one | 31 |\n"
     yield "a table with a figure", text + "\n| a | b |\n|---|---|\n| one | 0.31 |\n"
+    yield "a claim that does not hold", text + "\nTwo is less than one. <!-- holds: 2 < 1 -->\n"
+    for match in documents.CLAIM.finditer(text):
+        yield f"the opposite of {match.group()}", (text[:match.start("expression")] + f"not ({match['expression']})"
+                                                   + text[match.end("expression"):])
     yield "an expression of nothing", text + '\nIt errs 0.31<!--= rmse("no such technique") --> times.\n'
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where the C++ of tests and examples is not as .clang-format says; --fix makes it so.
+"""Fails where the C++ of tests, examples and wasm is not as .clang-format says; --fix makes it so.
 
 Versions of clang-format differ in what they make of one .clang-format, so one version decides, that of packages.txt.
 Without it, exit status 77. The headers in include/ are laid out by hand.
@@ -33,7 +33,7 @@ def main():
     if not command:
         print(f"skipped: no clang-format {VERSION}")
         return 77
-    files = sorted(path for folder in ("tests", "examples") for path in (ROOT / folder).rglob("*.[ch]pp"))
+    files = sorted(path for folder in ("tests", "examples", "wasm") for path in (ROOT / folder).rglob("*.[ch]pp"))
     if not files:
         sys.exit("no files")
     done = subprocess.run([command, "-i" if options.fix else "--dry-run", "--Werror", *files])

@@ -70,8 +70,13 @@ def share_of(name, *kinds):
     return sum(squares[kind] for kind in kinds) / (squares["lit"] + squares["penumbra"] + squares["shadow"])
 
 
+def peers_of(bits):
+    return {t["name"] for t in recorded.techniques() if t["peer"] and t["bits"] == bits}
+
+
 TABLES = {"quality.limits": limits, "quality.groups": groups,
           **{f"quality.bits{bits}": results(bits) for bits in choose.BUDGETS},
           "choose.bits": choose.bits_table, "choose.cost": choose.cost_table, "choose.all": choose.full_table}
-NAMES = {"rmse": rmse, "ratio": ratio, "ratios": ratios, "share_of": share_of, "seed": recorded.whole()["seed"]}
+NAMES = {"rmse": rmse, "ratio": ratio, "ratios": ratios, "share_of": share_of, "peers_of": peers_of,
+         "columns": COLUMNS, "seed": recorded.whole()["seed"]}
 FILES = {"docs/choose.svg": choose.picture}
