@@ -1,6 +1,6 @@
-// The one-file version in plain WebGL2, after the two lines that GLSL ES 3.00 asks of a user, and its constants read
-// back.
-const HEAD = "#version 300 es\nprecision highp float;\n";
+// The one-file version in plain WebGL2, after the three lines that GLSL ES 3.00 asks of a user, and its constants
+// read back.
+const HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
 const VERTEX = "#version 300 es\nvoid main() { gl_PointSize = 1.0; gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }\n";
 
 function program(gl, fragment) {

@@ -47,7 +47,7 @@ function compiles(text: string): string {
 
 export async function main() {
     const depths = Float32Array.from({length: 64 * 64}, (_, i) => (i % 64 < 20 ? 0.2 : i % 64 < 40 ? 0.5 : 0.8));
-    const head = "#version 300 es\\nprecision highp float;\\n";
+    const head = "#version 300 es\\nprecision highp float;\\nprecision highp int;\\n";
     const body = "out vec4 c; void main() { c = vec4(lvsm_bracketedVisibility2(vec4(0.5), 0.7, 0.5, 1.0e-5)); }";
     const relaxed: Float32Array = lloydRelax(depths, 64, 64, 2, {maxIterations: 32}).splits;
     return {shader: compiles(head + glsl + body), hlsl: hlsl.includes("float lvsm_bracketedVisibility2"), version,
@@ -57,8 +57,8 @@ export async function main() {
 run("node", [join(packages, "typescript/bin/tsc"), "--noEmit", "--strict", "--target", "es2022", "--module", "nodenext",
              "--lib", "es2022,dom", "app.ts"], app);
 const esbuild = createRequire(join(process.cwd(), "package.json"))("esbuild");
-await esbuild.build({entryPoints: [join(app, "app.ts")], outfile: join(folder, "bundle.js"), bundle: true, format: "esm",
-                     logLevel: "warning"});
+await esbuild.build({entryPoints: [join(app, "app.ts")], outfile: join(folder, "bundle.js"), bundle: true,
+                     format: "esm", logLevel: "warning"});
 
 const {result, said} = await runPage("/clients/page.html?../bundle/bundle.js", {"/clients/": here, "/bundle/": folder});
 let status = consoleStatus(said);

@@ -13,10 +13,10 @@ namespace
 constexpr int kOutcomeLimit = 512;
 
 // Results under the smallest normal number may be flushed, wherever they come from.
-bool isWithin(double answer, const Allowed& allowed)
+bool isWithin(double answer, const Allowed& allowed, double slack)
 {
-    const double tiny = lvsm::kTiny<double>;
-    return answer >= allowed.lo - tiny && answer <= allowed.hi + tiny;
+    const double more = lvsm::kTiny<double> + slack * std::max(1.0, std::abs(allowed.expected));
+    return answer >= allowed.lo - more && answer <= allowed.hi + more;
 }
 
 } // namespace
@@ -62,7 +62,7 @@ void Judge::allow(const Words& words)
     }
 }
 
-std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
+std::vector<Verdict> Judge::judge(const std::vector<float>& results, double slack) const
 {
     std::vector<Verdict> verdicts(2);
     verdicts[0].domain = m_row.domain;
@@ -96,10 +96,11 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results) const
             else
             {
                 const Allowed& allowed = m_allowed[i * components + c];
-                accepted = accepted && isWithin(answer, allowed);
+                accepted = accepted && isWithin(answer, allowed, slack);
                 const double error = std::abs(answer - allowed.expected);
                 const double tolerance =
-                    answer < allowed.expected ? allowed.expected - allowed.lo : allowed.hi - allowed.expected;
+                    (answer < allowed.expected ? allowed.expected - allowed.lo : allowed.hi - allowed.expected) +
+                    slack * std::max(1.0, std::abs(allowed.expected));
                 tight += allowed.hi - allowed.lo <= 1.0e-3 * std::max(1.0, std::abs(allowed.expected)) ? 1 : 0;
                 tolerances.push_back(std::min(tolerance, m_row.high - m_row.low));
                 const double badness = accepted ? error : HUGE_VAL;
