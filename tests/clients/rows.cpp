@@ -88,8 +88,8 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
         {
             passed = passed && verdict.passed();
             inputs += verdict.inputs;
-            // Of visibilities, weights and depths the one that the tolerance leaves the least room.
-            if (row.high <= 1.0 && verdict.tolerance > 0.0 &&
+            // Of visibilities, weights and depths the one that a tight tolerance leaves the least room.
+            if (row.high <= 1.0 && verdict.tolerance > 0.0 && verdict.tolerance < 1.0e-3 &&
                 verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
             {
                 worst = verdict;

@@ -39,11 +39,12 @@ def program(language, code, pasted):
         statements = [line for line in lines if line not in includes]
         return "".join([*includes, names, "void snippet()\n{\n", *statements, "}\n"])
     if language == "glsl":
+        end = "" if "main(" in code else "void main() {}\n"
         if "#include" not in code:
             code = pasted.read_text() + code
         if "#version" not in code:
             code = "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + code
-        return code if "main(" in code else code + "void main() {}\n"
+        return code + end
     return code if "main(" in code else code + "float4 main() : SV_Target { return float4(0, 0, 0, 0); }\n"
 
 
