@@ -22,7 +22,7 @@
 //                parameters in the same order.
 //   files        one a topic. A file's third line names the others that it needs, in the order in which to paste them,
 //                without their #include lines, where there is no #include. LVSM_VERSION is the library's version.
-//   GLSL ES      a shader begins with #version 300 es or later, precision highp float; and precision highp int;
+//   GLSL ES      3.00 or later. A shader says precision highp float; and precision highp int; before this file.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
 // esm, convolution, pcf, filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds
