@@ -21,7 +21,7 @@ WORDS = {"mix": "lerp", "fract": "frac", "texture2D": "Texture2D", "texture2DArr
 COMPONENTS = {"of 1 component or more": ["float", "float2", "float4"],
               "of 2 components or more": ["float2", "float4"], "of 4 components": ["float4"]}
 FUNCTION = re.compile(r"(?:^//[^\n]*\n)*^\w[^\n;{}]*\((?:[^;{}]*)\)\n\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
-MAP = re.compile(r"highp sampler(\w+) (\w+)")
+MAP = re.compile(r"LVSM_HIGHP sampler(\w+) (\w+)")
 
 
 def wrapped(line):
@@ -89,17 +89,15 @@ def hlsl(text):
         types = {"": "float", "i": "int", "u": "uint"}
         return types[vector[1]] + vector[2] if vector else WORDS.get(match[0], match[0])
 
+    # HLSL has no precision to ask for.
+    text = text.replace('#include "highp.glsl"\n\n', "").replace("sampling/highp, ", "")
+    text = text.replace("Needs: sampling/highp.", "Needs: no other.")
     text = re.sub(r"[A-Za-z0-9]+", word, text.replace("sampler filtering", "SamplerState filtering"))
     return FUNCTION.sub(lambda m: hlsl_functions(m[0]), text)
 
 
-def without_versions(text):
-    text = re.sub(r"//\n// Needs GLSL.*?(?=^#)", "", text, flags=re.MULTILINE | re.DOTALL)
-    return re.sub(r"^#ifdef GL_ES\n.*?^#endif\n\n", "", text, flags=re.MULTILINE | re.DOTALL)
-
-
 def forms():
-    yield HLSL / "common.hlsli", hlsl(without_versions((SAMPLING / "common.glsl").read_text()))
+    yield HLSL / "common.hlsli", hlsl((SAMPLING / "common.glsl").read_text())
     for source in sorted((SAMPLING / "combined").glob("*.glsl")):
         made = separate(source.read_text())
         yield SAMPLING / "separate" / source.name, made

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: no other.
+// Needs: sampling/highp.
 // One texel of a separable blur, for blur.comp and blur.frag.
 //
 // The kernel comes from the host: blurPasses of include/lvsm/passes.hpp fills the block for both directions, and says
@@ -9,7 +9,9 @@
 #ifndef LVSM_PASSES_BLUR_GLSL
 #define LVSM_PASSES_BLUR_GLSL
 
-// Where the resources are: define all of these or none, in front of this file. Vulkan's descriptor sets go in here, too:
+#include "../sampling/highp.glsl"
+
+// Where the resources are: define all of these or none, in front of this file. Vulkan's sets go in here, too:
 //   #define LVSM_BLUR_SOURCE layout(set = 1, binding = 4)
 #if defined(LVSM_BLUR_SOURCE) != defined(LVSM_BLUR_BLOCK)
 #error define all of LVSM_BLUR_SOURCE, LVSM_BLUR_BLOCK and, for blur.comp, LVSM_BLUR_TARGET, or none
@@ -52,7 +54,7 @@ vec2 lvsm_blurTap(int fetch)
     return (fetch & 1) == 0 ? two.xy : two.zw;
 }
 
-vec4 lvsm_blurredTexel(highp sampler2DArray source, ivec3 texel)
+vec4 lvsm_blurredTexel(LVSM_HIGHP sampler2DArray source, ivec3 texel)
 {
     vec2 texelSize = 1.0 / vec2(textureSize(source, 0).xy);
     // Along the direction of the blur; across it the texel's own centre.

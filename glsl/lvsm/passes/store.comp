@@ -1,13 +1,13 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: lvsm, passes/store.
+// Needs: lvsm, sampling/highp, passes/store.
 #extension GL_GOOGLE_include_directive : require
 // Makes every slice of a map from one texture of unwarped depths, in [0,1] and 1 where there is no surface.
 //
 // Run it with what storePass of include/lvsm/passes.hpp gives, the block and how many groups of 8 x 8 texels and one
-// slice, then blur. LVSM_STORE says what a slice holds, see store.glsl; LVSM_STORE_FORMAT is the target's format. Of the
-// block, only the default LVSM_STORE reads splits, layerCount and overlap.
+// slice, then blur. LVSM_STORE says what a slice holds, see store.glsl; LVSM_STORE_FORMAT is the target's format. Of
+// the block, only the default LVSM_STORE reads splits, layerCount and overlap.
 // GLSL ES 3.10: put `#version 310 es` in the first line's place, `precision highp float;` and `precision highp int;`
 // after it.
 #include "store.glsl"
@@ -20,8 +20,8 @@
 #endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
-LVSM_STORE_DEPTHS uniform highp sampler2D lvsm_depths;
-LVSM_STORE_TARGET layout(LVSM_STORE_FORMAT) uniform writeonly highp image2DArray lvsm_target;
+LVSM_STORE_DEPTHS uniform LVSM_HIGHP sampler2D lvsm_depths;
+LVSM_STORE_TARGET layout(LVSM_STORE_FORMAT) uniform writeonly LVSM_HIGHP image2DArray lvsm_target;
 
 void main()
 {

@@ -1,10 +1,10 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: lvsm, passes/store.
+// Needs: lvsm, sampling/highp, passes/store.
 #extension GL_GOOGLE_include_directive : require
-// Makes one slice of a map, the one that the block's lvsm_slice names, from one texture of unwarped depths, in [0,1] and
-// 1 where there is no surface.
+// Makes one slice of a map, the one that the block's lvsm_slice names, from one texture of unwarped depths, in [0,1]
+// and 1 where there is no surface.
 //
 // Draw it with what storePass of include/lvsm/passes.hpp gives, the block and the rectangle of the target to draw over,
 // then blur. LVSM_STORE says what a slice holds, see store.glsl.
@@ -12,7 +12,7 @@
 // `precision highp int;` after it.
 #include "store.glsl"
 
-LVSM_STORE_DEPTHS uniform highp sampler2D lvsm_depths;
+LVSM_STORE_DEPTHS uniform LVSM_HIGHP sampler2D lvsm_depths;
 layout(location = 0) out vec4 lvsm_result;
 
 void main()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: lvsm.
+// Needs: lvsm, sampling/highp.
 // What one texel of a map stores for a depth, for store.comp and store.frag: all layers of any technique from one
 // texture of unwarped depths.
 // Lauritzen & McCool, Layered Variance Shadow Maps, section 5, the second way to make the layers.
@@ -10,8 +10,9 @@
 #define LVSM_PASSES_STORE_GLSL
 
 #include "../lvsm.glsl"
+#include "../sampling/highp.glsl"
 
-// Where the resources are: define all of these or none, in front of this file. Vulkan's descriptor sets go in here, too:
+// Where the resources are: define all of these or none, in front of this file. Vulkan's sets go in here, too:
 //   #define LVSM_STORE_DEPTHS layout(set = 1, binding = 4)
 #if defined(LVSM_STORE_DEPTHS) != defined(LVSM_STORE_BLOCK)
 #error define all of LVSM_STORE_DEPTHS, LVSM_STORE_BLOCK and, for store.comp, LVSM_STORE_TARGET, or none
@@ -49,6 +50,11 @@ vec2 lvsm_storedLayer(float depth, int layer)
     return lvsm_layerMoments(depth, lvsm_layerInterval(begin, end, lvsm_overlap));
 }
 
+vec4 lvsm_storedLayers(float depth, int slice)
+{
+    return lvsm_packLayers(lvsm_storedLayer(depth, 2 * slice), lvsm_storedLayer(depth, 2 * slice + 1));
+}
+
 // What slice number slice of the map holds for a depth: two layers, in [0,1], which every format bears. Define it for
 // another technique, together with the largest value that the target's format bears: all is clamped to it, so that no
 // texel is infinite. In the target's default format, rgba16f, exponents end at 5.545:
@@ -59,8 +65,7 @@ vec2 lvsm_storedLayer(float depth, int layer)
 //   #define LVSM_STORE_LARGEST LVSM_LARGEST_FP32
 //   #define LVSM_STORE_FORMAT rgba32f
 #ifndef LVSM_STORE
-#define LVSM_STORE(depth, slice) \
-    lvsm_packLayers(lvsm_storedLayer(depth, 2 * (slice)), lvsm_storedLayer(depth, 2 * (slice) + 1))
+#define LVSM_STORE(depth, slice) lvsm_storedLayers(depth, slice)
 #define LVSM_STORE_LARGEST 1.0
 #elif !defined(LVSM_STORE_LARGEST)
 #error define LVSM_STORE_LARGEST together with LVSM_STORE: the largest value that the format of the target bears

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: no other.
+// Needs: sampling/highp.
 // What reading a map needs beside the texture itself; both forms of the wrappers include it.
 //
 // Borders, one rule for every wrapper and pass: what is off the map is an empty texel. All read as if the map went on
@@ -9,24 +9,10 @@
 // off the map takes border. The map's sampler wraps by clamping to its edge and knows nothing of this: a sampler with a
 // border colour would blend twice. Minified maps blend as the nearest level does, whose texels the longer gradient
 // measures.
-//
-// Needs GLSL 3.30 or ES 3.00. ES has to compute in highp, which its fragment shaders do not by themselves and which the
-// maths cannot ask for: the constants do not exist in mediump. In front of the first include of lvsm, write
-//   precision highp float;
-//   precision highp int;
-// and where the rest of the shader is to be mediump, say so again after it.
 #ifndef LVSM_SAMPLING_COMMON_GLSL
 #define LVSM_SAMPLING_COMMON_GLSL
 
-#ifdef GL_ES
-#if __VERSION__ < 300
-#error lvsm needs GLSL ES 3.00
-#elif !defined(GL_FRAGMENT_PRECISION_HIGH)
-#error lvsm needs highp
-#endif
-#elif __VERSION__ < 330
-#error lvsm needs GLSL 3.30
-#endif
+#include "highp.glsl"
 
 // How many texels a position lies off the centres of the outermost texels of a map, in each direction.
 // position: in texels from the map's corner. size: of the map in texels, at least 1.

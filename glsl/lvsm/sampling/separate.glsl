@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, esm, sampling/common, sampling/separate/maps, sampling/separate/esm, depth, moments, layers, sampling/separate/layers, pcf, receiver, sampling/separate/pcf.
+// Needs: config, filter, esm, sampling/highp, sampling/common, sampling/separate/maps, sampling/separate/esm, depth, moments, layers, sampling/separate/layers, pcf, receiver, sampling/separate/pcf.
 // Reading shadow maps from textures and samplers apart: Vulkan's other way. A shader may have both.
 //
 // Everything is as in combined.glsl, but that a sampler, filtering, follows the map.

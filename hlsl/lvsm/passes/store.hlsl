@@ -53,6 +53,11 @@ float2 lvsm_storedLayer(float depth, int layer)
     return lvsm_layerMoments(depth, lvsm_layerInterval(begin, end, lvsm_overlap));
 }
 
+float4 lvsm_storedLayers(float depth, int slice)
+{
+    return lvsm_packLayers(lvsm_storedLayer(depth, 2 * slice), lvsm_storedLayer(depth, 2 * slice + 1));
+}
+
 // What slice number slice of the map holds for a depth: two layers, in [0,1], which every format bears. Define it for
 // another technique, together with the largest value that the target's format bears: all is clamped to it, so that no
 // texel is infinite. In 16-bit floats, exponents end at 5.545:
@@ -62,8 +67,7 @@ float2 lvsm_storedLayer(float depth, int layer)
 //   #define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, float2(42.0, 10.0))
 //   #define LVSM_STORE_LARGEST LVSM_LARGEST_FP32
 #ifndef LVSM_STORE
-#define LVSM_STORE(depth, slice) \
-    lvsm_packLayers(lvsm_storedLayer(depth, 2 * (slice)), lvsm_storedLayer(depth, 2 * (slice) + 1))
+#define LVSM_STORE(depth, slice) lvsm_storedLayers(depth, slice)
 #define LVSM_STORE_LARGEST 1.0
 #elif !defined(LVSM_STORE_LARGEST)
 #error define LVSM_STORE_LARGEST together with LVSM_STORE: the largest value that the format of the target bears

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, esm, sampling/common, sampling/combined/maps.
+// Needs: config, filter, esm, sampling/highp, sampling/common, sampling/combined/maps.
 // Exponential shadow maps with the fallback for where they fail.
 //
 // The fallback judges four texels apart, and so needs them as they were stored: blurred ones hold light from all
@@ -18,7 +18,7 @@
 /// receiver's, in [0,1]. exponent: c as when stored. threshold: of violatesThreshold.
 /// Result in [0,1]; 1 half a texel off the map and beyond.
 /// Source: ESM section 3.3.
-float lvsm_sampleEsm(highp sampler2D map, highp sampler2D unfiltered, vec2 uv, vec2 dx, vec2 dy, float depth,
+float lvsm_sampleEsm(LVSM_HIGHP sampler2D map, LVSM_HIGHP sampler2D unfiltered, vec2 uv, vec2 dx, vec2 dy, float depth,
                      float exponent, float threshold)
 {
     float empty = lvsm_occluderTerm(1.0, exponent);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, depth, moments, layers, sampling/common, sampling/combined/maps.
+// Needs: config, depth, moments, layers, sampling/highp, sampling/common, sampling/combined/maps.
 // Layered variance shadow maps, two layers to a slice of an array texture.
 #ifndef LVSM_SAMPLING_COMBINED_LAYERS_GLSL
 #define LVSM_SAMPLING_COMBINED_LAYERS_GLSL
@@ -10,8 +10,8 @@
 
 // Visibility from the layer that the receiver is judged by.
 // map: of 4 components.
-float lvsm_visibilityInLayer(highp sampler2DArray map, vec2 uv, vec2 dx, vec2 dy, float depth, vec2 interval, int layer,
-                             float minVariance)
+float lvsm_visibilityInLayer(LVSM_HIGHP sampler2DArray map, vec2 uv, vec2 dx, vec2 dy, float depth, vec2 interval,
+                             int layer, float minVariance)
 {
     vec4 texel = lvsm_sampleMapArray(map, uv, layer / 2, dx, dy, vec4(1.0, 1.0, 1.0, 1.0));
     return lvsm_layeredVisibility(lvsm_unpackLayer(texel, layer), depth, interval, minVariance);
@@ -23,7 +23,7 @@ float lvsm_visibilityInLayer(highp sampler2DArray map, vec2 uv, vec2 dx, vec2 dy
 /// overlap: of the layers, as when stored. width: of the transition, at most the overlap; only there is a second sample
 /// taken. minVariance: the global floor in depth squared, >= 0. Result in [0,1]; 1 half a texel off the map and beyond.
 /// Source: LVSM section 5.
-float lvsm_sampleLayers(highp sampler2DArray map, vec2 uv, vec2 dx, vec2 dy, float depth,
+float lvsm_sampleLayers(LVSM_HIGHP sampler2DArray map, vec2 uv, vec2 dx, vec2 dy, float depth,
                         float splits[LVSM_MAX_LAYERS + 1], int layerCount, float overlap, float width,
                         float minVariance)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: sampling/common.
+// Needs: sampling/highp, sampling/common.
 // Texels of maps with the border around them: all that the other wrappers read goes through here.
 #ifndef LVSM_SAMPLING_COMBINED_MAPS_GLSL
 #define LVSM_SAMPLING_COMBINED_MAPS_GLSL
@@ -9,14 +9,14 @@
 
 // Size of a map in texels.
 // map: of 1 component or more.
-vec2 lvsm_mapSize(highp sampler2D map)
+vec2 lvsm_mapSize(LVSM_HIGHP sampler2D map)
 {
     return vec2(textureSize(map, 0));
 }
 
 // Size of each slice of an array of maps in texels.
 // map: of 1 component or more.
-vec2 lvsm_mapArraySize(highp sampler2DArray map)
+vec2 lvsm_mapArraySize(LVSM_HIGHP sampler2DArray map)
 {
     return vec2(textureSize(map, 0).xy);
 }
@@ -24,7 +24,7 @@ vec2 lvsm_mapArraySize(highp sampler2DArray map)
 /// Filtered texel of a map.
 /// map: of 1 component or more. uv: texture coordinates. dx, dy: their change to the next pixel in x and in y.
 /// border: what an empty texel holds. Result: the sample, blended with border at the edge, and border off the map.
-vec4 lvsm_sampleMap(highp sampler2D map, vec2 uv, vec2 dx, vec2 dy, vec4 border)
+vec4 lvsm_sampleMap(LVSM_HIGHP sampler2D map, vec2 uv, vec2 dx, vec2 dy, vec4 border)
 {
     float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapSize(map));
     return lvsm_withBorder(textureGrad(map, uv, dx, dy), border, coverage);
@@ -34,7 +34,7 @@ vec4 lvsm_sampleMap(highp sampler2D map, vec2 uv, vec2 dx, vec2 dy, vec4 border)
 /// map: of 1 component or more. uv: texture coordinates. slice: of the array. dx, dy: change of uv to the next pixel in
 /// x and in y. border: what an empty texel holds.
 /// Result: the sample, blended with border at the edge, and border off the map.
-vec4 lvsm_sampleMapArray(highp sampler2DArray map, vec2 uv, int slice, vec2 dx, vec2 dy, vec4 border)
+vec4 lvsm_sampleMapArray(LVSM_HIGHP sampler2DArray map, vec2 uv, int slice, vec2 dx, vec2 dy, vec4 border)
 {
     float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapArraySize(map));
     return lvsm_withBorder(textureGrad(map, vec3(uv, float(slice)), dx, dy), border, coverage);
@@ -43,17 +43,17 @@ vec4 lvsm_sampleMapArray(highp sampler2DArray map, vec2 uv, int slice, vec2 dx, 
 // First components of four texels of level 0, clamped to the edge. corner: the texel (0,0) of them. A gather where the
 // four meet is where rounding the coordinates cannot choose others.
 #if __VERSION__ >= 400 || defined(GL_ES) && __VERSION__ >= 310
-vec4 lvsm_fourTexels(highp sampler2D map, vec2 corner, vec2 size)
+vec4 lvsm_fourTexels(LVSM_HIGHP sampler2D map, vec2 corner, vec2 size)
 {
     return textureGather(map, (corner + 1.0) / size).wzxy;
 }
 
-vec4 lvsm_fourTexelsArray(highp sampler2DArray map, vec2 corner, vec2 size, int slice)
+vec4 lvsm_fourTexelsArray(LVSM_HIGHP sampler2DArray map, vec2 corner, vec2 size, int slice)
 {
     return textureGather(map, vec3((corner + 1.0) / size, float(slice))).wzxy;
 }
 #else
-vec4 lvsm_fourTexels(highp sampler2D map, vec2 corner, vec2 size)
+vec4 lvsm_fourTexels(LVSM_HIGHP sampler2D map, vec2 corner, vec2 size)
 {
     ivec2 last = ivec2(size) - 1;
     ivec2 first = clamp(ivec2(corner), ivec2(0, 0), last);
@@ -62,7 +62,7 @@ vec4 lvsm_fourTexels(highp sampler2D map, vec2 corner, vec2 size)
                 texelFetch(map, ivec2(first.x, next.y), 0).x, texelFetch(map, next, 0).x);
 }
 
-vec4 lvsm_fourTexelsArray(highp sampler2DArray map, vec2 corner, vec2 size, int slice)
+vec4 lvsm_fourTexelsArray(LVSM_HIGHP sampler2DArray map, vec2 corner, vec2 size, int slice)
 {
     ivec2 last = ivec2(size) - 1;
     ivec2 first = clamp(ivec2(corner), ivec2(0, 0), last);
@@ -75,7 +75,7 @@ vec4 lvsm_fourTexelsArray(highp sampler2DArray map, vec2 corner, vec2 size, int 
 /// First components of the four texels around a position, unfiltered, of level 0.
 /// map: of 1 component or more. uv: texture coordinates. border: what an empty texel holds.
 /// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
-vec4 lvsm_gatherMap(highp sampler2D map, vec2 uv, float border)
+vec4 lvsm_gatherMap(LVSM_HIGHP sampler2D map, vec2 uv, float border)
 {
     vec2 size = lvsm_mapSize(map);
     vec2 corner = lvsm_firstCorner(uv, size);
@@ -85,7 +85,7 @@ vec4 lvsm_gatherMap(highp sampler2D map, vec2 uv, float border)
 /// First components of the four texels around a position in one slice of an array, unfiltered, of level 0.
 /// map: of 1 component or more. uv: texture coordinates. slice: of the array. border: what an empty texel holds.
 /// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
-vec4 lvsm_gatherMapArray(highp sampler2DArray map, vec2 uv, int slice, float border)
+vec4 lvsm_gatherMapArray(LVSM_HIGHP sampler2DArray map, vec2 uv, int slice, float border)
 {
     vec2 size = lvsm_mapArraySize(map);
     vec2 corner = lvsm_firstCorner(uv, size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, pcf, receiver, sampling/common, sampling/combined/maps.
+// Needs: config, filter, pcf, receiver, sampling/highp, sampling/common, sampling/combined/maps.
 // Percentage-closer filtering of a map of depths.
 #ifndef LVSM_SAMPLING_COMBINED_PCF_GLSL
 #define LVSM_SAMPLING_COMBINED_PCF_GLSL
@@ -15,7 +15,7 @@
 /// depth for all texels. bias: what the receiver is moved towards the light, in [0,1].
 /// Result in [0,1]; 1 where the box is off the map.
 /// Source: Reeves et al. 1987.
-float lvsm_samplePcf(highp sampler2D map, vec2 uv, float width, float depth, vec2 gradient, float bias)
+float lvsm_samplePcf(LVSM_HIGHP sampler2D map, vec2 uv, float width, float depth, vec2 gradient, float bias)
 {
     vec2 size = lvsm_mapSize(map);
     float extent = clamp(width, 1.0, float(LVSM_MAX_FILTER_SIZE));

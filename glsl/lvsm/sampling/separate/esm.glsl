@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, esm, sampling/common, sampling/separate/maps.
+// Needs: config, filter, esm, sampling/highp, sampling/common, sampling/separate/maps.
 // Exponential shadow maps with the fallback for where they fail.
 //
 // The fallback judges four texels apart, and so needs them as they were stored: blurred ones hold light from all

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, depth, moments, layers, sampling/common, sampling/separate/maps.
+// Needs: config, depth, moments, layers, sampling/highp, sampling/common, sampling/separate/maps.
 // Layered variance shadow maps, two layers to a slice of an array texture.
 #ifndef LVSM_SAMPLING_SEPARATE_LAYERS_GLSL
 #define LVSM_SAMPLING_SEPARATE_LAYERS_GLSL

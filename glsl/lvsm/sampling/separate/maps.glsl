@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: sampling/common.
+// Needs: sampling/highp, sampling/common.
 // Texels of maps with the border around them: all that the other wrappers read goes through here.
 #ifndef LVSM_SAMPLING_SEPARATE_MAPS_GLSL
 #define LVSM_SAMPLING_SEPARATE_MAPS_GLSL

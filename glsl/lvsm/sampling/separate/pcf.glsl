@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, filter, pcf, receiver, sampling/common, sampling/separate/maps.
+// Needs: config, filter, pcf, receiver, sampling/highp, sampling/common, sampling/separate/maps.
 // Percentage-closer filtering of a map of depths.
 #ifndef LVSM_SAMPLING_SEPARATE_PCF_GLSL
 #define LVSM_SAMPLING_SEPARATE_PCF_GLSL
