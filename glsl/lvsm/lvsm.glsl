@@ -25,8 +25,8 @@
 //   GLSL ES      3.00 or later. A shader says precision highp float; and precision highp int; before this file.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds
-// whole shaders that make maps and blur them. A whole use:
+// esm, convolution, pcf, filter, components, mixture. Beside them, and not included here: sampling/ reads maps from
+// textures, passes/ holds whole shaders that make maps and blur them. A whole use:
 //
 // GLSL
 //
@@ -47,12 +47,14 @@
 #define LVSM_LVSM_GLSL
 
 #include "bracket.glsl"
+#include "components.glsl"
 #include "convolution.glsl"
 #include "depth.glsl"
 #include "esm.glsl"
 #include "exponential.glsl"
 #include "filter.glsl"
 #include "layers.glsl"
+#include "mixture.glsl"
 #include "moments.glsl"
 #include "moments4.glsl"
 #include "pcf.glsl"

@@ -25,8 +25,8 @@
 //   GLSL ES      3.00 or later. A shader says precision highp float; and precision highp int; before this file.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter. Beside them, and not included here: sampling/ reads maps from textures, passes/ holds
-// whole shaders that make maps and blur them. A whole use:
+// esm, convolution, pcf, filter, components, mixture. Beside them, and not included here: sampling/ reads maps from
+// textures, passes/ holds whole shaders that make maps and blur them. A whole use:
 //
 // HLSL
 //
@@ -48,12 +48,14 @@
 #define LVSM_LVSM_HLSLI
 
 #include "bracket.hlsli"
+#include "components.hlsli"
 #include "convolution.hlsli"
 #include "depth.hlsli"
 #include "esm.hlsli"
 #include "exponential.hlsli"
 #include "filter.hlsli"
 #include "layers.hlsli"
+#include "mixture.hlsli"
 #include "moments.hlsli"
 #include "moments4.hlsli"
 #include "pcf.hlsli"

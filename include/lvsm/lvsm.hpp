@@ -25,7 +25,8 @@
 //   GLSL ES      3.00 or later. A shader says precision highp float; and precision highp int; before this file.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter; on the host also lloyd, optimal, passes and passes_place. A whole use, in each language:
+// esm, convolution, pcf, filter, components, mixture; on the host also lloyd, optimal, passes and passes_place. A whole
+// use, in each language:
 //
 // C++
 //
@@ -76,6 +77,7 @@
 #define LVSM_LVSM_HPP
 
 #include "bracket.hpp"
+#include "components.hpp"
 #include "convolution.hpp"
 #include "depth.hpp"
 #include "esm.hpp"
@@ -83,6 +85,7 @@
 #include "filter.hpp"
 #include "layers.hpp"
 #include "lloyd.hpp"
+#include "mixture.hpp"
 #include "moments.hpp"
 #include "moments4.hpp"
 #include "optimal.hpp"

@@ -20,9 +20,8 @@ function inputTexture(words) {
     return texture;
 }
 
-// The nine results of each input, in the order of the inputs.
-async function run(renderer, row) {
-    const words = new Uint32Array(await bytes(`/rows/${row.function}.inputs`));
+// Three targets hold twelve numbers of an input's result: those from first on go to their places in results.
+function runPart(renderer, row, words, first, results) {
     const height = row.inputs / INPUTS_PER_ROW;
     const target = new THREE.WebGLRenderTarget(INPUTS_PER_ROW, height, {
         count: 3, type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
@@ -30,6 +29,7 @@ async function run(renderer, row) {
     });
     const material = new THREE.RawShaderMaterial({
         glslVersion: THREE.GLSL3,
+        defines: {FIRST: first},
         vertexShader: "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n",
         fragmentShader: `precision highp float;\n#include <lvsm>\n${row.kernel}`,
         uniforms: {lvsm_inputs: {value: inputTexture(words)}},
@@ -42,17 +42,24 @@ async function run(renderer, row) {
     renderer.setRenderTarget(target);
     renderer.render(mesh, new THREE.Camera());
 
-    const results = new Float32Array(9 * row.inputs);
     for (let part = 0; part < 3; ++part) {
         const four = new Float32Array(4 * row.inputs);
         renderer.readRenderTargetPixels(target, 0, 0, INPUTS_PER_ROW, height, four, undefined, part);
         for (let i = 0; i < row.inputs; ++i) {
-            for (let c = 0; c < 4 && 4 * part + c < 9; ++c)
-                results[9 * i + 4 * part + c] = four[4 * i + c];
+            for (let c = 0; c < 4 && first + 4 * part + c < row.numbers; ++c)
+                results[row.numbers * i + first + 4 * part + c] = four[4 * i + c];
         }
     }
     material.dispose();
     target.dispose();
+}
+
+// The results of each input, in the order of the inputs.
+async function run(renderer, row) {
+    const words = new Uint32Array(await bytes(`/rows/${row.function}.inputs`));
+    const results = new Float32Array(row.numbers * row.inputs);
+    for (let first = 0; first < row.numbers; first += 12)
+        runPart(renderer, row, words, first, results);
     return results;
 }
 

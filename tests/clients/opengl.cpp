@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -117,25 +118,32 @@ void runRow(const Client& client, const nlohmann::json& row, const std::string& 
     for (int i = 0; i < 3; ++i)
         targets.push_back(texture(GL_RGBA32F, kInputsPerRow, height, GL_NEAREST));
 
-    const GLuint program = client.program(row.at("kernel").get<std::string>());
-    glBindTexture(GL_TEXTURE_2D, inputs);
-    drawInto(targets, kInputsPerRow, height);
-    std::vector<float> results(9 * static_cast<std::size_t>(count));
-    for (int part = 0; part < 3; ++part)
+    // Three targets hold twelve numbers of an input's result.
+    const std::size_t numbers = row.at("numbers").get<std::size_t>();
+    std::vector<float> results(numbers * static_cast<std::size_t>(count));
+    for (std::size_t first = 0; first < numbers; first += 12)
     {
-        const std::vector<float> four = readTarget(part, kInputsPerRow, height);
-        for (std::size_t i = 0; i < results.size(); ++i)
+        const std::string define = "#define FIRST " + std::to_string(first) + "\n";
+        const GLuint program = client.program(define + row.at("kernel").get<std::string>());
+        glBindTexture(GL_TEXTURE_2D, inputs);
+        drawInto(targets, kInputsPerRow, height);
+        for (std::size_t begin = first; begin < std::min(first + 12, numbers); begin += 4)
         {
-            if (i % 9 / 4 == static_cast<std::size_t>(part))
-                results[i] = four[4 * (i / 9) + i % 9 % 4];
+            const std::vector<float> four = readTarget(static_cast<int>((begin - first) / 4), kInputsPerRow, height);
+            for (std::size_t i = 0; i < results.size(); ++i)
+            {
+                const std::size_t number = i % numbers;
+                if (number >= begin && number < begin + 4)
+                    results[i] = four[4 * (i / numbers) + number - begin];
+            }
         }
+        glDeleteProgram(program);
     }
     std::ofstream(name + ".results", std::ios::binary)
         .write(reinterpret_cast<const char*>(results.data()),
                static_cast<std::streamsize>(results.size() * sizeof(float)));
     glDeleteTextures(1, &inputs);
     glDeleteTextures(3, targets.data());
-    glDeleteProgram(program);
 }
 
 // A square map of depths: a lattice over a table over the ground.

@@ -1,7 +1,8 @@
 // lvsm_client_rows: the rows of tests/parity, a few thousand inputs each, as files for a client to run and to be judged.
 //   lvsm_client_rows write FOLDER                 writes FOLDER/FUNCTION.inputs, 24 words an input, and FOLDER/rows.json
 //                                                 with the fragment shader of each, to put after the library
-//   lvsm_client_rows judge FOLDER CLIENT REPORT [imprecise]   reads FOLDER/FUNCTION.results, 9 floats an input
+//   lvsm_client_rows judge FOLDER CLIENT REPORT [imprecise]   reads FOLDER/FUNCTION.results, as many numbers an
+//                                                 input as its result has
 // The tolerance is that of tests/parity, derived input by input from the precision that Vulkan and OpenGL ES promise.
 // `imprecise`: the language has no `precise`, and the compiler takes a sum in another order than it is written.
 #include "judge.hpp"
@@ -42,7 +43,10 @@ int write(const std::string& folder)
         std::ofstream file(path(folder, row, ".inputs"), std::ios::binary);
         file.write(reinterpret_cast<const char*>(inputs.data()),
                    static_cast<std::streamsize>(inputs.size() * sizeof(Words)));
-        list.push_back({{"function", row.function}, {"inputs", inputs.size()}, {"kernel", glslFragmentKernel(row)}});
+        list.push_back({{"function", row.function},
+                        {"inputs", inputs.size()},
+                        {"numbers", componentCount(row.kind)},
+                        {"kernel", glslFragmentKernel(row)}});
     }
     std::ofstream(folder + "/rows.json") << list.dump(1) << '\n';
     return 0;
@@ -52,7 +56,7 @@ int write(const std::string& folder)
 std::vector<Verdict> judge(const std::string& folder, const Row& row, bool precise)
 {
     const Judge judge(row, kEvery);
-    std::vector<float> results(judge.inputs().size() * kResults);
+    std::vector<float> results(judge.inputs().size() * static_cast<std::size_t>(componentCount(row.kind)));
     const std::streamsize size = static_cast<std::streamsize>(results.size() * sizeof(float));
     std::ifstream file(path(folder, row, ".results"), std::ios::binary);
     file.read(reinterpret_cast<char*>(results.data()), size);

@@ -45,14 +45,27 @@ def calls(language, name):
     """Statements that call every function of a file with values the compiler does not know, and add up the results."""
     arguments = {"float": "v.x", "float2": "v.xy", "float3": "v.xyz", "float4": "v", "int": "int(v.y)",
                  "int2": "ivec2(v.zw)" if language == "GLSL" else "int2(v.zw)", "float[]": "weights",
-                 "inout float[]": "splits"}
+                 "inout float[]": "splits", "uint2": "code.xy", "uint4": "code", "MixtureComponent": "component",
+                 "Mixture": "mixture", "inout Mixture": "mixture", "MixturePlane": "plane"}
+    members = {"MixtureComponent": ".weight", "Mixture": ".components[1].weight", "MixturePlane": ".weight",
+               "MixturePlanes": ".planes[1].weight"}
     lines = ["float sum = 0.0;", "float splits[LVSM_MAX_LAYERS + 1];", "float weights[LVSM_MAX_LAYERS + 1];",
              "for (int i = 0; i <= LVSM_MAX_LAYERS; ++i) { splits[i] = v.x + float(i); weights[i] = v.y; }"]
-    for topic in topics_of(name):
+    topics = topics_of(name)
+    if {"components", "mixture"} & set(topics):
+        lines += ["lvsm_MixtureComponent component = lvsm_tapComponent(v.x);",
+                  "lvsm_Mixture mixture = lvsm_mixtureOfTaps(v, v, v, 3);"]
+    if "mixture" in topics:
+        lines += [f"{'uvec4' if language == 'GLSL' else 'uint4'} code = lvsm_encodeMixture4(mixture, v.x);",
+                  "lvsm_MixturePlane plane = lvsm_componentPlane(component);"]
+    for topic in topics:
         for function in lvsm_api.functions(ROOT, language, topic):
             call = f"lvsm_{function.name}({', '.join(arguments[type_] for type_, _ in function.parameters)})"
             if function.result == "void":
-                lines.append(f"{call}; sum += splits[1];")
+                changed = "mixture.components[1].weight" if "mixture" in call else "splits[1]"
+                lines.append(f"{call}; sum += {changed};")
+            elif function.result in members:
+                lines.append(f"sum += {call}{members[function.result]};")
             else:
                 lines.append(f"sum += float({call}{'.y' if function.result[-1].isdigit() else ''});")
     return "".join(f"    {line}\n" for line in lines)

@@ -7,6 +7,7 @@
 #include <cfloat>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace cost
 {
@@ -23,6 +24,36 @@ float total(vec2 x) { return x.x + x.y; }
 float total(vec3 x) { return x.x + x.y + x.z; }
 float total(vec4 x) { return x.x + x.y + x.z + x.w; }
 float total(ivec2 x) { return float(x.x + x.y); }
+float total(uvec2 x) { return float(int(x.x + x.y)); }
+float total(uvec4 x) { return total(x.xy) + total(x.zw); }
+float total(lvsm_MixtureComponent c)
+{
+    return c.weight + total(c.place) + c.depth + total(c.spread) + total(c.tilt) + c.variance;
+}
+float total(lvsm_MixturePlane p)
+{
+    return p.weight + total(p.place) + p.depth + total(p.slope) + total(p.range) + total(p.spread) + p.deviation;
+}
+float total(lvsm_Mixture m)
+{
+    return total(m.components[0]) + total(m.components[1]) + total(m.components[2]) + total(m.components[3]);
+}
+lvsm_MixtureComponent componentOf(float x)
+{
+    return lvsm_MixtureComponent(x, vec2(x), x, vec3(x), vec2(x), x);
+}
+lvsm_MixturePlane planeOf(float x)
+{
+    return lvsm_MixturePlane(x, vec2(x), x, vec2(x), vec2(x), vec3(x), x);
+}
+lvsm_MixturePlanes planesOf(float x)
+{
+    return lvsm_MixturePlanes(lvsm_MixturePlane[4](planeOf(x), planeOf(x), planeOf(x), planeOf(x)));
+}
+lvsm_Mixture mixtureOf(float x)
+{
+    return lvsm_Mixture(lvsm_MixtureComponent[4](componentOf(x), componentOf(x), componentOf(x), componentOf(x)));
+}
 float total(float x[LVSM_MAX_LAYERS + 1])
 {
     float sum = 0.0;
@@ -47,24 +78,49 @@ std::vector<std::string> splitArguments(const std::string& list)
     return arguments;
 }
 
-// The GLSL type of an argument as functions.def writes it.
+// The GLSL type of an argument as functions.def writes it; a number stands for itself.
 std::string typeOf(const std::string& argument)
 {
-    const std::string accessor = argument.substr(0, argument.find('('));
-    if (accessor == "A")
-        return "float";
-    if (accessor == "I" || accessor == "N")
-        return "int";
-    if (accessor == "IV2")
-        return "ivec2";
-    return "vec" + accessor.substr(1);
+    static const std::map<std::string, std::string> types = {{"A", "float"},
+                                                             {"I", "int"},
+                                                             {"N", "int"},
+                                                             {"V2", "vec2"},
+                                                             {"V3", "vec3"},
+                                                             {"V4", "vec4"},
+                                                             {"IV2", "ivec2"},
+                                                             {"UV2", "uvec2"},
+                                                             {"UV4", "uvec4"},
+                                                             {"TAP", "lvsm_MixtureComponent"},
+                                                             {"COMPONENT", "lvsm_MixtureComponent"},
+                                                             {"PLANE", "lvsm_MixturePlane"},
+                                                             {"MIXTURE2", "lvsm_Mixture"},
+                                                             {"MIXTURE4", "lvsm_Mixture"},
+                                                             {"mixture", "inout lvsm_Mixture"}};
+    const auto found = types.find(argument.substr(0, argument.find('(')));
+    return found == types.end() ? "int" : found->second;
 }
 
-std::string resultType(const std::string& kind)
+// The GLSL type of a result, and what makes one of a number.
+struct ResultType
 {
-    if (kind == "Vec2" || kind == "Vec4" || kind == "IVec2")
-        return kind == "IVec2" ? "ivec2" : kind == "Vec2" ? "vec2" : "vec4";
-    return kind == "Int" ? "int" : "float";
+    std::string name;
+    std::string make;
+};
+
+ResultType resultType(const std::string& kind)
+{
+    static const std::map<std::string, ResultType> types = {{"Float", {"float", "float"}},
+                                                            {"Int", {"int", "int"}},
+                                                            {"Vec2", {"vec2", "vec2"}},
+                                                            {"Vec4", {"vec4", "vec4"}},
+                                                            {"IVec2", {"ivec2", "ivec2"}},
+                                                            {"UVec2", {"uvec2", "uvec2"}},
+                                                            {"UVec4", {"uvec4", "uvec4"}},
+                                                            {"Component", {"lvsm_MixtureComponent", "componentOf"}},
+                                                            {"Plane", {"lvsm_MixturePlane", "planeOf"}},
+                                                            {"Planes", {"lvsm_MixturePlanes", "planesOf"}},
+                                                            {"Mixture", {"lvsm_Mixture", "mixtureOf"}}};
+    return types.at(kind);
 }
 
 // A function that takes a row's arguments, needs all of them, and returns what the row's function returns.
@@ -88,8 +144,10 @@ std::string loadFunction(const parity::Row& row)
     if (row.kind == "Splits")
         return "void lvsm_loads(" + parameters + ")\n{\n    float sum = " + sum +
                ";\n    for (int i = 0; i <= LVSM_MAX_LAYERS; ++i)\n        a0[i] += sum;\n}\n";
-    const std::string type = resultType(row.kind);
-    return type + " lvsm_loads(" + parameters + ")\n{\n    return " + type + '(' + sum + ");\n}\n";
+    if (row.kind == "Inserted")
+        return "void lvsm_loads(" + parameters + ")\n{\n    a0 = mixtureOf(" + sum + ");\n}\n";
+    const ResultType type = resultType(row.kind);
+    return type.name + " lvsm_loads(" + parameters + ")\n{\n    return " + type.make + '(' + sum + ");\n}\n";
 }
 
 struct Estimate
@@ -156,6 +214,9 @@ void main()
 {
     float depth = inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].x;
     vec2 gradient = inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].yz;
+    // Packed, so that a receiver's place takes no second load: what is not read costs nothing.
+    uint place = floatBitsToUint(inputs[(TEXELS + 1u) * gl_GlobalInvocationID.x].w);
+    vec2 offset = vec2(float(place & 0xFFFFu), float(place >> 16u));
 )" + statements +
            "}\n";
 }
@@ -192,7 +253,9 @@ std::vector<Kernel> estimateKernels()
     for (const Estimate& estimate : estimates)
     {
         const bool sloped = std::string(estimate.expression).find("gradient") != std::string::npos;
+        const bool placed = std::string(estimate.expression).find("offset") != std::string::npos;
         std::string loads = sloped ? "    float sum = depth + total(gradient);\n" : "    float sum = depth;\n";
+        loads += placed ? "    sum += total(offset);\n" : "";
         for (int i = 0; i < estimate.texels; ++i)
             loads += "    sum += total(texel(" + std::to_string(i) + "));\n";
         const std::string store = "    outputs[gl_GlobalInvocationID.x] = ";

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 namespace parity
@@ -43,6 +44,42 @@ Slot smallVariance()
 Slot integers(std::vector<double> edges, double lo, double hi)
 {
     return {std::move(edges), lo, hi, Scale::Integer};
+}
+
+// Of components of a mixture: a place and an extent in texels, a correlation, a slope, a deviation from a plane.
+Slot place()
+{
+    return {{0.0, 1.0, -2.0, kSubnormal, 300.0}, -3.0, 3.0};
+}
+
+Slot extent()
+{
+    return {{0.0, 0.5, 1.58, 3.24}, 0.0, 2.0};
+}
+
+Slot correlation()
+{
+    return {{0.0, 1.0, -1.0}, -1.0, 1.0};
+}
+
+Slot slope()
+{
+    return {{0.0, 1.0e-3, -1.0e-2, 2.0, kSubnormal}, -0.02, 0.02};
+}
+
+Slot residual()
+{
+    return {{0.0, 1.0e-3, 0.1}, 1.0e-5, 0.1, Scale::Logarithmic};
+}
+
+Slot filterWidth()
+{
+    return {{0.70710678, 1.58113883, 3.24037035, 0.0, -1.0, 1.0e30}, 0.5, 7.0};
+}
+
+Slot bits()
+{
+    return integers({0.0, -1.0, 1.0, -2147483648.0, 2147483647.0}, -2147483648.0, 2147483647.0);
 }
 
 // The first moment stays, the second becomes that of a distribution with a share of the largest variance.
@@ -144,6 +181,22 @@ void trigonometricMoments(double* words)
         moments += shares[i] * lvsm::trigonometricMoments(words[i]);
     for (int i = 0; i < 4; ++i)
         words[i] = moments[i];
+}
+
+// Extents along both axes and a correlation, slopes and a deviation become spread, tilt and variance of a component.
+void momentsOfPlane(double* words)
+{
+    const double xx = words[0] * words[0];
+    const double xy = words[0] * words[1] * words[2];
+    const double yy = words[2] * words[2];
+    const double x = words[3];
+    const double y = words[4];
+    words[0] = xx;
+    words[1] = xy;
+    words[2] = yy;
+    words[3] = xx * x + xy * y;
+    words[4] = xy * x + yy * y;
+    words[5] = words[5] * words[5] + x * words[3] + y * words[4];
 }
 
 void sortSplits(double* words)
@@ -344,6 +397,48 @@ const std::map<std::string, Domain>& allDomains()
            {{0.0, -3.0}, -4.0, 4.0}, {{0.0, 0.3, 3.0, -1.0}, 0.0, 4.0}, {{0.0, 1.22, -1.0, 1.0e30}, 0.0, 4.0},
            smallVariance()},
           nullptr}},
+        {"rounds", {{integers({0.0, 1.0, 2.0, 3.0, 7.0, 8.0, -1.0, 70000.0}, 0.0, 8.0)}, nullptr}},
+        // 0 to 9 and 10 to 19 components: weight, place, depth, and momentsOfPlane; 20, 21 offset, a tap's weight and x,
+        // or a deviation; 22 share or y; 23 depth.
+        {"components",
+         {{share(), place(), place(), depth(), extent(), correlation(), extent(), slope(), slope(), residual(),
+           share(), place(), place(), depth(), extent(), correlation(), extent(), slope(), slope(), residual(),
+           {{0.0, 1.0, 300.0, -1.0}, -1.0, 4.0}, {{0.0, 1.0, 1.58, -300.0}, -1.0, 4.0}, share(), depth()},
+          [](double* words) {
+              momentsOfPlane(words + 4);
+              momentsOfPlane(words + 14);
+          }}},
+        {"fourTaps",
+         {{depth(), depth(), depth(), depth(), place(), place(), place(), place(), place(), place(), place(), place()},
+          nullptr}},
+        // 0 to 15 weight, place and depth of four components; 16 to 21 momentsOfPlane; 22 deviation of the filter.
+        {"fourComponents",
+         {{share(), place(), place(), depth(), share(), place(), place(), depth(), share(), place(), place(), depth(),
+           share(), place(), place(), depth(), extent(), correlation(), extent(), slope(), slope(), residual(),
+           filterWidth()},
+          [](double* words) { momentsOfPlane(words + 16); }}},
+        // 0 to 3 code; 4, 5 offset; 6 a receiver near the heaviest plane or anywhere; 7 bias; 8 deviation of the filter;
+        // 9, 10 gradient.
+        {"codes",
+         {{bits(), bits(), bits(), bits(), {{0.0, 0.5, -1.0, 30.0}, -1.0, 1.0}, {{0.0, -0.5, 1.0}, -1.0, 1.0},
+           difference(), {{0.0, 0.00195503, 2.0, -1.0}, 0.0, 0.01}, filterWidth(), slope(), slope()},
+          [](double* words) {
+              const auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(words[0]));
+              words[6] += static_cast<double>(code & 1023u) / 1023.0;
+          }}},
+        // 0 to 11 plane; 12, 13 offset; 14 deviation of the filter; 15 a receiver near the plane or anywhere; 16, 17
+        // gradient; 18 bias.
+        {"planesOfMixtures",
+         {{share(), place(), place(), depth(), slope(), slope(), {{0.0, 1.0e-3}, 0.0, 0.01}, {{0.0, 1.0}, 0.0, 0.01},
+           extent(), correlation(), extent(), {{0.0, 1.0, kSubnormal, -1.0}, 1.0e-5, 0.1, Scale::Logarithmic},
+           {{0.0, 0.5, -1.0, 30.0}, -1.0, 1.0}, {{0.0, -0.5, 1.0}, -1.0, 1.0}, filterWidth(), difference(), slope(),
+           slope(), {{0.0, 0.00195503, 2.0, -1.0}, 0.0, 0.01}},
+          [](double* words) {
+              words[9] *= words[8] * words[10];
+              words[8] *= words[8];
+              words[10] *= words[10];
+              words[15] += words[3];
+          }}},
     };
     return all;
 }

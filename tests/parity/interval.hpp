@@ -108,7 +108,11 @@ public:
     {
         const int first = static_cast<int>(std::clamp(m_lo, -2147483648.0, 2147483647.0));
         const int last = static_cast<int>(std::clamp(m_hi, -2147483648.0, 2147483647.0));
-        return first == last ? first : first + Decisions::current().choose(std::min(last - first, 7) + 1);
+        if (first == last)
+            return first;
+        // Of many outcomes the least few and the greatest.
+        const int outcome = Decisions::current().choose(std::min(last - first, 7) + 1);
+        return outcome < 7 ? first + outcome : last;
     }
 
     // The result of an operation that may give either float next to the exact value.

@@ -1,5 +1,7 @@
 #include "judge.hpp"
 
+#include "kernel.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -48,7 +50,7 @@ void Judge::allow(const Words& words)
                                             [&]
                                             {
                                                 const Result<Interval> result = m_row.inInterval(words);
-                                                for (std::size_t c = 0; c < result.size(); ++c)
+                                                for (std::size_t c = 0; c < static_cast<std::size_t>(m_components); ++c)
                                                 {
                                                     lo[c] = std::min(lo[c], result[c].lo());
                                                     hi[c] = std::max(hi[c], result[c].hi());
@@ -78,7 +80,7 @@ std::vector<Verdict> Judge::judge(const std::vector<float>& results, double slac
         ++verdict.inputs;
         for (std::size_t c = 0; c < components; ++c)
         {
-            const double answer = static_cast<double>(results[i * kResults + c]);
+            const double answer = static_cast<double>(results[i * components + c]);
             const bool finite = std::isfinite(answer);
             bool accepted = finite && answer >= m_row.low && answer <= m_row.high;
             verdict.nonFinite += finite ? 0 : 1;

@@ -52,7 +52,7 @@ public:
     // Inputs whose decisions are too many to follow; only the range of their results is checked.
     std::size_t undecided() const { return m_undecided; }
 
-    // results: kResults floats for each input. slack: what is allowed beyond Vulkan's rules, of 1 or of the result where
+    // results: componentCount floats for each input. slack: what is allowed beyond Vulkan's rules, of 1 or of the result where
     // that is larger. One verdict for the domain, one for the hostile inputs.
     std::vector<Verdict> judge(const std::vector<float>& results, double slack = 0.0) const;
 

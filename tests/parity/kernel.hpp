@@ -11,6 +11,9 @@ namespace parity
 
 constexpr int kGroupSize = 64;
 
+// How many numbers a kind of result has.
+int componentCount(const std::string& kind);
+
 // In both, the library comes first: an #include of lvsm/lvsm.glsl or .hlsli, or the text of the one-file version.
 std::string glslKernel(const Row& row, const std::string& library);
 std::string hlslKernel(const Row& row, const std::string& library);

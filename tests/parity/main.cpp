@@ -104,24 +104,25 @@ std::vector<float> runOnHost(const Row& row, const Judge& judge)
     for (const Words& input : judge.inputs())
     {
         const Result<float> result = row.inFloat(input);
-        results.insert(results.end(), result.begin(), result.end());
+        results.insert(results.end(), result.begin(), result.begin() + componentCount(row.kind));
     }
     return results;
 }
 
-std::vector<float> runOnDevice(VulkanDevice& device, const Judge& judge, const Shader& shader)
+std::vector<float> runOnDevice(VulkanDevice& device, const Row& row, const Judge& judge, const Shader& shader)
 {
+    const std::size_t numbers = judge.inputs().size() * static_cast<std::size_t>(componentCount(row.kind));
     const std::vector<Words>& inputs = judge.inputs();
     lvsm::support::ComputeJob job;
     job.spirv = &shader.spirv;
     job.input = inputs.data();
     job.inputBytes = inputs.size() * sizeof(Words);
-    job.outputBytes = inputs.size() * kResults * sizeof(float);
+    job.outputBytes = numbers * sizeof(float);
     job.groupCount = static_cast<std::uint32_t>(inputs.size() / kGroupSize);
     const auto bytes = device.run(job);
     if (!bytes)
         fail(device.name().device + ": " + bytes.error());
-    std::vector<float> results(inputs.size() * kResults);
+    std::vector<float> results(numbers);
     std::memcpy(results.data(), bytes->data(), bytes->size());
     return results;
 }
@@ -188,7 +189,8 @@ std::vector<Run> runShaders(const Row& row, const Judge& judge, const Options& o
         if (shaders.empty())
             shaders = compileAll(row, options);
         for (const Shader& shader : shaders)
-            runs.push_back({shader.compiler, shader.source, name, judge.judge(runOnDevice(*device, judge, shader))});
+            runs.push_back(
+                {shader.compiler, shader.source, name, judge.judge(runOnDevice(*device, row, judge, shader))});
         silent = silent && device->validationMessages().empty();
     }
     return runs;

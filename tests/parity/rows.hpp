@@ -13,7 +13,9 @@ namespace parity
 {
 
 constexpr int kMaxLayers = 8;
-constexpr int kResults = kMaxLayers + 1;
+constexpr int kSplits = kMaxLayers + 1;
+// Most numbers that a result has: those of four planes.
+constexpr int kResults = 48;
 
 template <typename T>
 using Result = std::array<T, kResults>;
@@ -35,9 +37,6 @@ const std::vector<Row>& rows();
 
 // Null where there is no such row.
 const Row* findRow(const std::string& function);
-
-// How many components a kind of result has.
-int componentCount(const std::string& kind);
 
 } // namespace parity
 

@@ -134,10 +134,11 @@ def canonical_type(text):
     if text.endswith("&") and not text.startswith("const "):
         text = "inout " + text
     text = re.sub(r"^const |&$", "", text).strip()
+    text = re.sub(r"\bstd::uint32_t\b", "uint", text)
     text = re.sub(r"glm::vec<(\d), (\w+)(?:, \w+)?>", r"\2\1", text)
-    text = re.sub(r"(?:glm::)?\b(i?)vec(\d)\b", lambda m: ("int" if m[1] else "float") + m[2], text)
+    text = re.sub(r"(?:glm::)?\b([iu]?)vec(\d)\b", lambda m: {"i": "int", "u": "uint", "": "float"}[m[1]] + m[2], text)
     text = re.sub(r"\b(?:lvsm_)?([A-Z]\w*)(?:<[^<>]*>)?", r"\1", text)  # a struct of the library
-    if not re.fullmatch(r"(inout )?((float|int|bool)\d?|[A-Z]\w*)(\[\])?|void", text):
+    if not re.fullmatch(r"(inout )?((float|u?int|bool)\d?|[A-Z]\w*)(\[\])?|void", text):
         raise ValueError(f"a type that the mirror does not know: {written}")
     return text
 

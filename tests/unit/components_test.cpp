@@ -1,0 +1,372 @@
+// Components of mixtures: moments that merge exactly, planes that fit, and what is merged first.
+#include <lvsm/components.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "numbers.hpp"
+#include "windows.hpp"
+
+namespace lvsm::unit
+{
+namespace
+{
+
+// The ten sums over weighted taps: weight, places, depths and their products.
+struct Sums
+{
+    Exact weight = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
+
+    void add(Exact w, Exact px, Exact py, Exact depth)
+    {
+        weight += w;
+        x += w * px;
+        y += w * py;
+        z += w * depth;
+        xx += w * px * px;
+        xy += w * px * py;
+        yy += w * py * py;
+        xz += w * px * depth;
+        yz += w * py * depth;
+        zz += w * depth * depth;
+    }
+
+    template <typename T>
+    void add(const MixtureComponent<T>& c)
+    {
+        const Exact w = c.weight, px = c.place.x, py = c.place.y, depth = c.depth;
+        add(w, px, py, depth);
+        xx += w * Exact(c.spread.x);
+        xy += w * Exact(c.spread.y);
+        yy += w * Exact(c.spread.z);
+        xz += w * Exact(c.tilt.x);
+        yz += w * Exact(c.tilt.y);
+        zz += w * Exact(c.variance);
+    }
+
+    std::array<Exact, 10> all() const { return {weight, x, y, z, xx, xy, yy, xz, yz, zz}; }
+
+    // Places are up to 8: a product of two is up to 64.
+    bool isNear(const Sums& other, Exact tolerance) const
+    {
+        for (std::size_t i = 0; i < 10; ++i)
+        {
+            if (std::abs(all()[i] - other.all()[i]) > Exact(64) * tolerance)
+                return false;
+        }
+        return true;
+    }
+};
+
+template <typename T>
+MixtureComponent<T> tap(T weight, T x, T y, T depth)
+{
+    return moveComponent(tapComponent(depth), Vec2<T>(x, y), weight);
+}
+
+template <typename T>
+MixtureComponent<T> randomTap(Random& random)
+{
+    return tap(random.unit<T>(), T(16) * random.unit<T>() - T(8), T(16) * random.unit<T>() - T(8), random.unit<T>());
+}
+
+TEST_CASE_TEMPLATE("mergeComponents keeps the ten sums, in whatever order", T, float, double)
+{
+    Random random(900);
+    Tally tally;
+    for (int i = 0; i < 2000; ++i)
+    {
+        Sums sums;
+        std::vector<MixtureComponent<T>> parts;
+        for (int k = 0; k < 12; ++k)
+        {
+            parts.push_back(randomTap<T>(random));
+            parts.back().weight /= T(12);
+            sums.add(parts.back());
+        }
+        while (parts.size() > 1)
+        {
+            const auto at = static_cast<std::size_t>(random.between(0, static_cast<int>(parts.size()) - 2));
+            parts[at] = mergeComponents(parts[at], parts.back());
+            parts.pop_back();
+        }
+        Sums merged;
+        merged.add(parts[0]);
+        tally.claim(merged.isNear(sums, Exact(40) * kRoundoff<T>), i);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE_TEMPLATE("insertComponent and simplifyMixture keep the ten sums of the whole window", T, float, double)
+{
+    Random random(901);
+    Tally tally;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const int count = random.between(1, 4);
+        Mixture<T> mixture{};
+        Sums sums;
+        for (int k = 0; k < 20; ++k)
+        {
+            MixtureComponent<T> c = randomTap<T>(random);
+            c.weight /= T(20);
+            sums.add(c);
+            insertComponent(mixture, c, count);
+        }
+        if (i % 2 == 0)
+            simplifyMixture(mixture, count);
+        Sums kept;
+        for (int k = 0; k < kMaxComponents; ++k)
+        {
+            if (k >= count)
+                tally.claim(mixture.components[k].weight == T(0), i);
+            kept.add(mixture.components[k]);
+        }
+        tally.claim(kept.isNear(sums, Exact(60) * kRoundoff<T>), i);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("slopedComponent is the limit of ever finer taps over the texel's plane")
+{
+    const Vec2<double> gradient(0.02, -0.01);
+    const int fine = 64;
+    Sums sums;
+    for (int y = 0; y < fine; ++y)
+    {
+        for (int x = 0; x < fine; ++x)
+        {
+            const double px = (x + 0.5) / fine - 0.5;
+            const double py = (y + 0.5) / fine - 0.5;
+            sums.add(1.0 / (fine * fine), px, py, 0.5 + gradient.x * px + gradient.y * py);
+        }
+    }
+    const MixtureComponent<double> sloped = slopedComponent(0.5, gradient);
+    Sums whole;
+    whole.add(sloped);
+    // n taps a side have the variance (1 - 1/n^2) / 12.
+    const Exact less = Exact(1) - Exact(1) / (fine * fine);
+    CHECK(std::abs(sums.xx - less * whole.xx) < 1e-15L);
+    CHECK(std::abs(sums.yy - less * whole.yy) < 1e-15L);
+    CHECK(std::abs(sums.xz - less * whole.xz) < 1e-15L);
+    CHECK(std::abs(sums.yz - less * whole.yz) < 1e-15L);
+    CHECK(std::abs(sums.zz - 0.25L - less * (whole.zz - 0.25L)) < 1e-15L);
+    CHECK(sloped.weight == 1.0);
+    // All of a window: the ridge is 2^-12, beside a variance of 1/12.
+    CHECK(componentSlope(sloped).x == doctest::Approx(gradient.x / (1.0 + 12.0 / 4096.0)).epsilon(1e-12));
+    CHECK(slopedComponent(2.0, Vec2<double>(3.0, -3.0)).tilt == Vec2<double>(1.0 / 12.0, -1.0 / 12.0));
+}
+
+TEST_CASE("moveComponent moves the place, scales the share and leaves the rest")
+{
+    const MixtureComponent<double> c = mergeComponents(tap(0.25, 1.0, 2.0, 0.3), tap(0.5, -1.0, 0.0, 0.4));
+    const MixtureComponent<double> moved = moveComponent(c, Vec2<double>(4.0, -8.0), 0.25);
+    CHECK(moved.weight == 0.25 * c.weight);
+    CHECK(moved.place == Vec2<double>(c.place.x + 4.0, c.place.y - 8.0));
+    CHECK(moved.depth == c.depth);
+    CHECK(moved.spread == c.spread);
+    CHECK(moved.tilt == c.tilt);
+    CHECK(moved.variance == c.variance);
+    CHECK(moveComponent(tap(1.0, 8.0, -8.0, 0.5), Vec2<double>(1000.0, -1000.0), 2.0).place ==
+          Vec2<double>(256.0, -256.0));
+    CHECK(moveComponent(c, Vec2<double>(0.0), 2.0).weight == c.weight);
+}
+
+TEST_CASE("componentSlope is least squares with a ridge of half of what the component is not of the window")
+{
+    // Taps at +-1 along x and +-2 along y: variances 1/2 and 2, on a plane.
+    const Vec2<double> g(0.03, -0.05);
+    for (const double weight : {1.0, 0.75, 0.5, 0.125})
+    {
+        MixtureComponent<double> c{};
+        for (const Vec2<double> place :
+             {Vec2<double>(1, 0), Vec2<double>(-1, 0), Vec2<double>(0, 2), Vec2<double>(0, -2)})
+            c = mergeComponents(c, tap(weight / 4, place.x, place.y, 0.5 + g.x * place.x + g.y * place.y));
+        const double ridge = std::max(0.5 * (1.0 - weight), 1.0 / 4096.0);
+        const Vec2<double> slope = componentSlope(c);
+        CHECK(slope.x == doctest::Approx(g.x * 0.5 / (0.5 + ridge)).epsilon(1e-12));
+        CHECK(slope.y == doctest::Approx(g.y * 2.0 / (2.0 + ridge)).epsilon(1e-12));
+        CHECK(componentResidual(c, g) < 1e-17);
+        CHECK(componentResidual(c, Vec2<double>(0.0)) == doctest::Approx(0.5 * g.x * g.x + 2.0 * g.y * g.y));
+    }
+    CHECK(componentSlope(tap(0.25, 1.0, 1.0, 0.5)) == Vec2<double>(0.0));
+    // Correlated places: the plane is found all the same.
+    MixtureComponent<double> oblique{};
+    for (int i = -2; i <= 2; ++i)
+        oblique = mergeComponents(oblique, tap(0.2, 1.0 * i, 1.0 * (i + i % 2), 0.5 + g.x * i + g.y * (i + i % 2)));
+    CHECK(componentSlope(oblique).x == doctest::Approx(g.x).epsilon(0.01));
+    CHECK(componentSlope(oblique).y == doctest::Approx(g.y).epsilon(0.01));
+}
+
+TEST_CASE("componentResidual is what is left of a plane's taps around it")
+{
+    MixtureComponent<double> c{};
+    for (int i = 0; i < 8; ++i)
+    {
+        const double x = i % 2 == 0 ? -1.0 : 1.0;
+        const double y = i / 2 % 2 == 0 ? -1.0 : 1.0;
+        c = mergeComponents(c, tap(0.125, x, y, 0.5 + 0.01 * x - 0.02 * y + (i < 4 ? 0.03 : -0.03)));
+    }
+    CHECK(componentResidual(c, Vec2<double>(0.01, -0.02)) == doctest::Approx(0.0009).epsilon(1e-12));
+}
+
+TEST_CASE("mergePrice of two lone taps of one place is half their distance, less the deviation that never counts")
+{
+    for (const double distance : {0.0, 1.0e-4, 0.01, 0.5})
+    {
+        const double price = mergePrice(tap(0.5, 0.0, 0.0, 0.25), tap(0.5, 0.0, 0.0, 0.25 + distance));
+        CHECK(price == doctest::Approx(std::sqrt(0.25 * distance * distance + 1.0e-8) - 1.0e-4));
+    }
+    // Shares of 1/4 and 3/4 leave a variance of 3/16 of the distance squared.
+    CHECK(mergePrice(tap(0.25, 0.0, 0.0, 0.2), tap(0.75, 0.0, 0.0, 0.6)) ==
+          doctest::Approx(std::sqrt(0.1875 * 0.16 + 1.0e-8) - 1.0e-4));
+}
+
+TEST_CASE("insertComponent merges the first of equal prices, and its count is the limit")
+{
+    Mixture<double> mixture{};
+    for (const double weight : {0.5, 0.25, 0.125, 0.0625, 0.03125})
+        insertComponent(mixture, tap(weight, 0.0, 0.0, 0.5), 4);
+    CHECK(mixture.components[0].weight == 0.75);
+    CHECK(mixture.components[1].weight == 0.03125);
+    CHECK(mixture.components[2].weight == 0.125);
+    CHECK(mixture.components[3].weight == 0.0625);
+    for (const auto& c : mixture.components)
+        CHECK(c.depth == 0.5);
+
+    Mixture<double> one{};
+    insertComponent(one, tap(0.5, 0.0, 0.0, 0.2), 1);
+    insertComponent(one, tap(0.0, 0.0, 0.0, 0.9), 1);
+    CHECK(one.components[0].weight == 0.5);
+    CHECK(one.components[0].depth == 0.2);
+    insertComponent(one, tap(0.5, 0.0, 0.0, 0.4), 0);
+    CHECK(one.components[0].depth == doctest::Approx(0.3));
+    CHECK(one.components[1].weight == 0.0);
+}
+
+TEST_CASE("surfaces far apart stay apart in whatever order their taps come")
+{
+    Random random(902);
+    Tally tally;
+    const double depths[] = {0.1, 0.35, 0.6, 0.9};
+    for (int i = 0; i < 300; ++i)
+    {
+        std::vector<MixtureComponent<double>> taps;
+        for (int k = 0; k < 40; ++k)
+            taps.push_back(tap(1.0 / 40, 1.0 * random.between(-3, 3), 1.0 * random.between(-3, 3),
+                               depths[k % 4] + 1e-4 * (k / 4)));
+        for (std::size_t k = taps.size() - 1; k > 0; --k)
+            std::swap(taps[k], taps[static_cast<std::size_t>(random.between(0, static_cast<int>(k)))]);
+        Mixture<double> mixture{};
+        for (const auto& t : taps)
+            insertComponent(mixture, t, 4);
+        std::sort(std::begin(mixture.components), std::end(mixture.components),
+                  [](const auto& a, const auto& b) { return a.depth < b.depth; });
+        for (int k = 0; k < 4; ++k)
+        {
+            const auto& c = mixture.components[k];
+            tally.claim(std::abs(c.weight - 0.25) < 1e-12 && std::abs(c.depth - depths[k] - 4.5e-4) < 1e-12, i, k,
+                        c.weight, c.depth);
+        }
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("simplifyMixture makes one plane of a plane's parts, and leaves what a code can tell")
+{
+    const Vec2<double> g(0.01, 0.02);
+    Mixture<double> mixture{};
+    for (const Vec2<double> at : {Vec2<double>(1, 1), Vec2<double>(-1, 1), Vec2<double>(1, -1), Vec2<double>(-1, -1)})
+        insertComponent(mixture, moveComponent(slopedComponent(0.5 + g.x * at.x + g.y * at.y, g), at, 0.25), 4);
+    simplifyMixture(mixture, 4);
+    CHECK(mixture.components[0].weight == 1.0);
+    CHECK(mixture.components[1].weight == 0.0);
+    CHECK(mixture.components[2].weight == 0.0);
+    CHECK(mixture.components[3].weight == 0.0);
+    CHECK(componentSlope(mixture.components[0]).x == doctest::Approx(g.x).epsilon(0.001));
+
+    // Halves of the window: half of the distance is the price, less 1e-4.
+    const auto left = [](double distance)
+    {
+        Mixture<double> two{};
+        two.components[0] = tap(0.5, 0.0, 0.0, 0.5);
+        two.components[1] = tap(0.5, 0.0, 0.0, 0.5 + distance);
+        simplifyMixture(two, 4);
+        return two.components[1].weight;
+    };
+    CHECK(left(3.0e-4) == 0.0);
+    CHECK(left(4.0e-4) == 0.5);
+}
+
+TEST_CASE("mixtureDeviation is that of the tree's window")
+{
+    for (int rounds = 0; rounds <= 5; ++rounds)
+    {
+        const std::vector<double> kernel = treeKernel(rounds);
+        const double middle = 0.5 * static_cast<double>(kernel.size() - 1);
+        double variance = 0.0;
+        for (std::size_t i = 0; i < kernel.size(); ++i)
+            variance += kernel[i] * (static_cast<double>(i) - middle) * (static_cast<double>(i) - middle);
+        CHECK(mixtureDeviation<double>(rounds) == doctest::Approx(std::sqrt(variance)).epsilon(1e-12));
+        CHECK(kernel.size() == (std::size_t(2) << rounds) - 1);
+    }
+    CHECK(mixtureDeviation<double>(-1) == 0.0);
+    CHECK(mixtureDeviation<double>(8) == mixtureDeviation<double>(7));
+    CHECK(mixtureDeviation<double>(7) == doctest::Approx(std::sqrt(2730.5)));
+}
+
+TEST_CASE("mixtureOfTaps has each tap at its place, a quarter each")
+{
+    const Vec4<double> depths(0.1, 0.4, 0.6, 0.9);
+    const Vec4<double> x(-0.5, 0.5, -0.5, 0.5);
+    const Vec4<double> y(-0.5, -0.5, 0.5, 0.5);
+    const Mixture<double> four = mixtureOfTaps(depths, x, y, 4);
+    for (int i = 0; i < 4; ++i)
+    {
+        CHECK(four.components[i].weight == 0.25);
+        CHECK(four.components[i].depth == depths[i]);
+        CHECK(four.components[i].place == Vec2<double>(x[i], y[i]));
+    }
+    const Mixture<double> two = mixtureOfTaps(Vec4<double>(0.1, 0.1, 0.9, 0.9), x, y, 2);
+    CHECK(two.components[0].depth == doctest::Approx(0.1));
+    CHECK(two.components[1].depth == doctest::Approx(0.9));
+}
+
+TEST_CASE("the tree's mixture has the window's first two moments")
+{
+    Random random(903);
+    for (int rounds = 1; rounds <= 2; ++rounds)
+    {
+        for (int i = 0; i < 20; ++i)
+        {
+            std::vector<double> depths(15 * 15);
+            for (double& d : depths)
+                d = random.unit<double>();
+            const DepthMap map = [&](int x, int y)
+            {
+                return depths[static_cast<std::size_t>((y + 7) * 15 + x + 7)];
+            };
+            Sums sums;
+            const std::vector<double> kernel = treeKernel(rounds);
+            const int radius = static_cast<int>(kernel.size()) / 2;
+            for (int y = -radius; y <= radius; ++y)
+            {
+                for (int x = -radius; x <= radius; ++x)
+                    sums.add(kernel[static_cast<std::size_t>(x + radius)] *
+                                 kernel[static_cast<std::size_t>(y + radius)],
+                             x, y, map(x, y));
+            }
+            const WindowTree<double> tree(map, rounds, 3);
+            Sums kept;
+            for (const auto& c : tree.mixture().components)
+                kept.add(c);
+            CHECK(kept.isNear(sums, Exact(100) * kRoundoff<double>));
+        }
+    }
+}
+
+} // namespace
+} // namespace lvsm::unit

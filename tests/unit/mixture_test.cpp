@@ -1,0 +1,525 @@
+// Mixtures of planes: what the codes hold, and what a receiver sees of windows whose answer is known.
+#include <lvsm/mixture.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "numbers.hpp"
+#include "windows.hpp"
+
+namespace lvsm::unit
+{
+namespace
+{
+
+using Code2 = glm::vec<2, std::uint32_t>;
+using Code4 = glm::vec<4, std::uint32_t>;
+
+constexpr double kDepthStep = 1.0 / 1023.0;
+
+template <typename T>
+MixtureComponent<T> flatComponent(T weight, T depth)
+{
+    MixtureComponent<T> c = tapComponent(depth);
+    c.weight = weight;
+    return c;
+}
+
+// Uncoded: the mean of planeLight over the components.
+double uncodedVisibility(const Mixture<double>& mixture, const Vec2<double>& f, double depth,
+                         const Vec2<double>& gradient, double deviation, double bias)
+{
+    double lit = 0.0;
+    double sum = 0.0;
+    for (const MixtureComponent<double>& c : mixture.components)
+    {
+        const MixturePlane<double> plane = componentPlane(c);
+        const double weight = planeWeight(plane, f, deviation);
+        lit += weight * planeLight(plane, f, depth, gradient, deviation, bias).x;
+        sum += weight;
+    }
+    return lit / sum;
+}
+
+TEST_CASE("encodeMixture2 lays its fields out as its comment says")
+{
+    Mixture<double> m{};
+    m.components[0] = flatComponent(0.25, 0.75);
+    m.components[0].place = {2.0, -1.0};
+    m.components[0].spread = {1.0, 0.0, 0.2};
+    m.components[1] = flatComponent(0.75, 0.25);
+    const Code2 code = encodeMixture2(m, 1.0);
+    // Slopes of 0 are level 16 of 5 bits; 0.25 is 7.5 of 15 levels up to 1/2, rounded up; extents 1 and 0.45 are 2 and 0;
+    // places 2 and -1 of +-2 are levels 7 and -3.5, rounded up to -3, behind 8.
+    CHECK((code.x & 1023u) == 256u);
+    CHECK((code.y & 1023u) == 767u);
+    for (const std::uint32_t word : {code.x, code.y})
+    {
+        CHECK((word >> 10 & 31u) == 16u);
+        CHECK((word >> 15 & 31u) == 16u);
+        CHECK((word >> 20 & 15u) == 0u);
+    }
+    CHECK((code.x >> 24 & 15u) == 8u);
+    CHECK((code.x >> 28) == 2u);
+    CHECK((code.y >> 24 & 15u) == 15u);
+    CHECK((code.y >> 28) == 5u);
+}
+
+TEST_CASE("encodeMixture4 lays its fields out as its comment says, heaviest first")
+{
+    Mixture<double> m{};
+    const double weights[] = {0.1, 0.2, 0.3, 0.4};
+    for (int i = 0; i < 4; ++i)
+    {
+        m.components[i] = flatComponent(weights[i], 0.1 + 0.2 * i);
+        m.components[i].place = {0.0, i == 2 ? -2.0 : 0.0};
+        m.components[i].spread = {1.0, i == 1 ? 0.9 : i == 0 ? -0.9 : 0.0, 1.0};
+    }
+    const Code4 code = encodeMixture4(m, 1.0);
+    CHECK((code.x & 1023u) == 716u); // 0.7
+    CHECK((code.y & 1023u) == 512u); // 0.5
+    CHECK((code.z & 1023u) == 307u); // 0.3
+    CHECK((code.w & 1023u) == 102u); // 0.1
+    for (int i = 0; i < 4; ++i)
+    {
+        CHECK((code[i] >> 10 & 15u) == 8u);
+        CHECK((code[i] >> 14 & 15u) == 8u);
+        CHECK((code[i] >> 18 & 3u) == 0u);
+    }
+    // Both extents 2; the first 3 with a correlation above 0, the second 3 below it.
+    CHECK((code.x >> 20 & 15u) == (2u | 2u << 2));
+    CHECK((code.x >> 24 & 15u) == (3u | 2u << 2));
+    CHECK((code.x >> 28) == (2u | 3u << 2));
+    // 0.3 of 1/2, 0.2 of 1/3 and 0.1 of 1/4: 9, 9 and 6 of 15.
+    CHECK((code.y >> 20 & 15u) == 9u);
+    CHECK((code.z >> 20 & 15u) == 9u);
+    CHECK((code.w >> 20 & 15u) == 6u);
+    CHECK((code.y >> 24 & 15u) == 8u);
+    CHECK((code.y >> 28) == 1u);
+    CHECK((code.z >> 28) == 8u);
+}
+
+// A component with a slope, of all of the window, beside a light one.
+Mixture<double> slopedMixture(const Vec2<double>& g, double residual)
+{
+    Mixture<double> m{};
+    m.components[0] = flatComponent(1.0, 0.5);
+    MixtureComponent<double>& c = m.components[0];
+    c.spread = {1.0, 0.0, 1.0};
+    const double ridge = 1.0 / 4096.0;
+    c.tilt = {g.x * (1.0 + ridge), g.y * (1.0 + ridge)};
+    c.variance = residual * residual - g.x * g.x - g.y * g.y + 2.0 * (g.x * c.tilt.x + g.y * c.tilt.y);
+    return m;
+}
+
+TEST_CASE("a coded slope lies in the range that is read, and ranges join without gap")
+{
+    Random random(910);
+    Tally tally;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const auto any = [&]
+        {
+            return (random.between(0, 1) == 0 ? 1.0 : -1.0) * std::pow(10.0, -4.0 * random.unit<double>());
+        };
+        const Vec2<double> g(any(), any());
+        const Mixture<double> m = slopedMixture(g, 0.0);
+        const auto inside = [&](const MixturePlane<double>& p)
+        {
+            const double room = 1e-9;
+            // Steeper slopes than the steepest coded one count as that.
+            const auto off = [](double slope, double coded)
+            {
+                return std::abs(std::min(0.0625, std::max(-0.0625, slope)) - coded);
+            };
+            return off(g.x, p.slope.x) <= p.range.x + room && off(g.y, p.slope.y) <= p.range.y + room;
+        };
+        tally.claim(inside(decodeMixture2(encodeMixture2(m, 1.0), 1.0).planes[0]), g.x, g.y);
+        tally.claim(inside(decodeMixture4(encodeMixture4(m, 1.0), 1.0).planes[0]), g.x, g.y);
+    }
+    LVSM_CHECK_TALLY(tally);
+
+    for (std::uint32_t level = 1; level < 15; ++level)
+    {
+        const auto plane = [](std::uint32_t l)
+        {
+            return decodeMixture4(Code4(l << 10, 0, 0, 0), 1.0).planes[0];
+        };
+        CHECK(plane(level).slope.x + plane(level).range.x ==
+              doctest::Approx(plane(level + 1).slope.x - plane(level + 1).range.x).epsilon(1e-12));
+    }
+    const MixturePlane<double> middle = decodeMixture4(Code4(8u << 10 | 8u << 14, 0, 0, 0), 1.0).planes[0];
+    CHECK(middle.slope == Vec2<double>(0.0));
+    CHECK(middle.range.x == doctest::Approx(0.0625 / (14.0 * 14.0 * 14.0)).epsilon(1e-12));
+    CHECK(middle.range.y == middle.range.x);
+    const MixturePlane<double> steep = decodeMixture4(Code4(15u << 10 | 1u << 14, 0, 0, 0), 1.0).planes[0];
+    CHECK(steep.slope.x - steep.range.x == doctest::Approx(0.0625 * std::pow(13.0 / 14.0, 3.0)).epsilon(1e-12));
+    CHECK(steep.slope.x + steep.range.x == doctest::Approx(0.0625 * std::pow(15.0 / 14.0, 3.0)).epsilon(1e-12));
+    CHECK(steep.slope.y == -steep.slope.x);
+    CHECK(steep.range.y == steep.range.x);
+    const MixturePlane<double> fine = decodeMixture2(Code2(16u << 10 | 16u << 15, 0), 1.0).planes[0];
+    CHECK(fine.range.y == doctest::Approx(0.0625 / (30.0 * 30.0 * 30.0)).epsilon(1e-12));
+}
+
+TEST_CASE("a coded deviation is the square of its level, and the least stands for its cell's root mean square")
+{
+    const auto coded2 = [](double d)
+    {
+        return decodeMixture2(encodeMixture2(slopedMixture({0, 0}, d), 1.0), 1.0).planes[0].deviation;
+    };
+    const auto coded4 = [](double d)
+    {
+        return decodeMixture4(encodeMixture4(slopedMixture({0, 0}, d), 1.0), 1.0).planes[0].deviation;
+    };
+    for (int level = 1; level <= 15; ++level)
+    {
+        const double d = 0.2 * level * level / 225.0;
+        CHECK(coded2(d) == doctest::Approx(d));
+    }
+    for (int level = 1; level <= 3; ++level)
+        CHECK(coded4(0.05 * level * level / 9.0) == doctest::Approx(0.05 * level * level / 9.0));
+    // From 0 to h evenly the root mean square is h / sqrt(3); h is a quarter of a step in the square.
+    CHECK(coded2(0.0) == doctest::Approx(0.2 / 225.0 / 4.0 / std::sqrt(3.0)));
+    CHECK(coded4(0.0) == doctest::Approx(0.05 / 9.0 / 4.0 / std::sqrt(3.0)));
+    CHECK(coded2(0.9) == doctest::Approx(0.2));
+    CHECK(coded4(0.9) == doctest::Approx(0.05));
+}
+
+// Two components of a window of deviation 1: the lighter one as given, the heavier one what is left.
+Mixture<double> splitWindow(double weight, const Vec2<double>& place, const Vec3<double>& spread)
+{
+    Mixture<double> m{};
+    m.components[0] = flatComponent(1.0 - weight, 0.8);
+    m.components[1] = flatComponent(weight, 0.3);
+    m.components[1].place = place;
+    m.components[1].spread = spread;
+    m.components[0].place = -place * (weight / (1.0 - weight));
+    return m;
+}
+
+TEST_CASE("the heaviest plane takes what the others leave of share, place and spread")
+{
+    // Representable: 1/3 is level 10 of 15 up to 1/2, the place levels 3 and -2, the extents 1 and 0.3.
+    const Vec2<double> place(6.0 / 7.0, -4.0 / 7.0);
+    const Mixture<double> m = splitWindow(1.0 / 3.0, place, Vec3<double>(1.0, 0.0, 0.09));
+    for (const MixturePlanes<double>& p :
+         {decodeMixture2(encodeMixture2(m, 1.0), 1.0), decodeMixture4(encodeMixture4(m, 1.0), 1.0)})
+    {
+        CHECK(p.planes[1].weight == doctest::Approx(1.0 / 3.0));
+        CHECK(p.planes[1].place.x == doctest::Approx(place.x));
+        CHECK(p.planes[1].place.y == doctest::Approx(place.y));
+        CHECK(p.planes[1].spread.x == doctest::Approx(1.0));
+        CHECK(p.planes[1].spread.y == 0.0);
+        CHECK(p.planes[1].spread.z == doctest::Approx(0.09));
+        CHECK(p.planes[0].weight == doctest::Approx(2.0 / 3.0));
+        CHECK(p.planes[0].place.x == doctest::Approx(-0.5 * place.x));
+        CHECK(p.planes[0].place.y == doctest::Approx(-0.5 * place.y));
+        const double xx = 1.5 * (1.0 - (1.0 + place.x * place.x) / 3.0) - 0.25 * place.x * place.x;
+        const double yy = 1.5 * (1.0 - (0.09 + place.y * place.y) / 3.0) - 0.25 * place.y * place.y;
+        const double xy = 1.5 * (-place.x * place.y / 3.0) - 0.25 * place.x * place.y;
+        CHECK(p.planes[0].spread.x == doctest::Approx(xx));
+        CHECK(p.planes[0].spread.y == doctest::Approx(xy));
+        CHECK(p.planes[0].spread.z == doctest::Approx(yy));
+        CHECK(p.planes[2].weight == 0.0);
+        CHECK(p.planes[3].weight == 0.0);
+    }
+    // Everything in one: the whole window.
+    Mixture<double> one{};
+    one.components[2] = flatComponent(0.7, 0.4);
+    const MixturePlanes<double> whole = decodeMixture4(encodeMixture4(one, 2.0), 2.0);
+    CHECK(whole.planes[0].weight == 1.0);
+    CHECK(whole.planes[0].place == Vec2<double>(0.0));
+    CHECK(whole.planes[0].spread == Vec3<double>(4.0, 0.0, 4.0));
+    for (int i = 1; i < 4; ++i)
+        CHECK(whole.planes[i].weight == 0.0);
+    // More than the others can have leaves an eighth; spreads end at 0.05 and 1.5 of the window's.
+    const MixturePlanes<double> full = decodeMixture4(Code4(0xAAA00000u, ~0u, ~0u, ~0u), 1.0);
+    CHECK(full.planes[0].weight == 0.125);
+    CHECK(full.planes[0].place == Vec2<double>(-2.0));
+    CHECK(full.planes[0].spread == Vec3<double>(0.05, -0.05, 0.05));
+    const MixturePlanes<double> none = decodeMixture2(Code2(0xF0000000u, 0u), 1.0);
+    CHECK(none.planes[1].place.x == doctest::Approx(-16.0 / 7.0));
+    // Code 15 of a spread, which nothing writes: one level more.
+    CHECK(none.planes[1].spread.x == doctest::Approx(1.35 * 1.35));
+    CHECK(none.planes[1].spread.y == doctest::Approx(0.9 * 1.35 * 1.35));
+}
+
+TEST_CASE("all spreads, with and without a correlation, survive their code")
+{
+    for (const double x : {0.3, 0.65, 1.0})
+    {
+        for (const double y : {0.3, 0.65, 1.0})
+        {
+            for (const double r : {-0.9, 0.0, 0.9})
+            {
+                const Vec3<double> spread(4.0 * x * x, 4.0 * r * x * y, 4.0 * y * y);
+                const Mixture<double> m = splitWindow(0.25, {0.0, 0.0}, spread);
+                const MixturePlane<double> p = decodeMixture4(encodeMixture4(m, 2.0), 2.0).planes[1];
+                CHECK(p.spread.x == doctest::Approx(spread.x));
+                CHECK(p.spread.z == doctest::Approx(spread.z));
+                CHECK(p.spread.y == doctest::Approx(x == y ? spread.y : 0.0));
+            }
+        }
+    }
+}
+
+TEST_CASE("planeWeight tilts a window towards the receiver")
+{
+    MixturePlane<double> p = componentPlane(flatComponent(0.25, 0.5));
+    p.place = {1.0, -2.0};
+    CHECK(planeWeight(p, Vec2<double>(0.0, 0.0), 2.0) == 0.25);
+    CHECK(planeWeight(p, Vec2<double>(0.5, 0.25), 2.0) == doctest::Approx(0.25 * std::exp((0.5 - 0.5) / 4.0)));
+    CHECK(planeWeight(p, Vec2<double>(0.5, -0.25), 2.0) == doctest::Approx(0.25 * std::exp(1.0 / 4.0)));
+    CHECK(planeWeight(p, Vec2<double>(30.0, 0.0), 0.1) == doctest::Approx(0.25 * std::exp(16.0)));
+    CHECK(planeWeight(p, Vec2<double>(-30.0, 0.0), 0.1) == doctest::Approx(0.25 * std::exp(-16.0)));
+}
+
+TEST_CASE("planeLight is the share of evenly spread samples that are behind the receiver's plane")
+{
+    MixturePlane<double> p{};
+    p.weight = 1.0;
+    p.depth = 0.5;
+    p.place = {1.0, 0.5};
+    p.slope = {0.02, -0.01};
+    p.spread = {1.0, 0.25, 0.5};
+    const Vec2<double> g(-0.01, 0.03);
+    const Vec2<double> f(0.25, -0.5);
+    const double sigma = 1.5;
+    // The taps: the plane's difference from the receiver's has this mean and variance.
+    const Vec2<double> d(0.03, -0.04);
+    const Vec2<double> moved((1.0 * f.x + 0.25 * f.y) / (sigma * sigma), (0.25 * f.x + 0.5 * f.y) / (sigma * sigma));
+    const double variance = d.x * d.x * 1.0 + 2.0 * d.x * d.y * 0.25 + d.y * d.y * 0.5;
+    for (const double depth : {0.35, 0.45, 0.5, 0.52, 0.6})
+    {
+        const double mean = 0.5 - (depth + g.x * (1.0 - f.x) + g.y * (0.5 - f.y)) + d.x * moved.x + d.y * moved.y;
+        const Vec2<double> light = planeLight(p, f, depth, g, sigma, 0.0);
+        CHECK(light.y == doctest::Approx(mean).epsilon(1e-9));
+        int behind = 0;
+        const int samples = 100000;
+        for (int i = 0; i < samples; ++i)
+            behind += mean + std::sqrt(12.0 * variance) * ((i + 0.5) / samples - 0.5) > 0.0;
+        CHECK(light.x == doctest::Approx(behind / double(samples)).epsilon(1e-4));
+    }
+    // A deviation spreads the samples and moves them back by 0.6 of itself; a bias moves them back.
+    p.slope = g;
+    p.place = {0.0, 0.0};
+    p.deviation = 0.01;
+    CHECK(planeLight(p, Vec2<double>(0.0), 0.5, g, sigma, 0.0).x == doctest::Approx(0.5 + 0.6 / std::sqrt(12.0)));
+    CHECK(planeLight(p, Vec2<double>(0.0), 0.5, g, sigma, 0.005).x == doctest::Approx(0.5 + 1.1 / std::sqrt(12.0)));
+    p.deviation = 0.0;
+    CHECK(planeLight(p, Vec2<double>(0.0), 0.5 + 1.0e-5, g, sigma, 0.0).x ==
+          doctest::Approx(0.5 - 1.0 / std::sqrt(12.0)).epsilon(1e-6));
+    // Of the slopes that a code stands for, the receiver's.
+    p.slope = {0.0, 0.025};
+    p.range = {0.02, 0.025};
+    CHECK(planeLight(p, Vec2<double>(0.0), 0.49, g, sigma, 0.0).x == 1.0);
+}
+
+TEST_CASE_TEMPLATE("a plane of any slope is not its own shadow, wherever in a window of whatever width", T, float,
+                   double)
+{
+    Random random(911);
+    Tally tally;
+    for (int i = 0; i < 900; ++i)
+    {
+        const int rounds = 1 + i % 3;
+        const double reach = (2 << rounds) - 2 + 1; // the farthest tap along both axes, and the receiver
+        const double steepest = 0.5 / reach;        // 0.167 a texel for the narrowest: 89.9 degrees in a map of 10000
+        const auto unit = [&]
+        {
+            return 2.0 * random.unit<double>() - 1.0;
+        };
+        const double scale = steepest * std::pow(10.0, -3.0 * random.unit<double>());
+        const Vec2<double> g(0.5 * scale * unit(), 0.5 * scale * unit());
+        const double middle = 0.25 + 0.5 * random.unit<double>();
+        const DepthMap map = [&](int x, int y)
+        {
+            return std::min(1.0, std::max(0.0, middle + g.x * x + g.y * y));
+        };
+        const int count = 1 + i / 3 % 4;
+        const T sigma = mixtureDeviation<T>(rounds);
+        const Mixture<T> mixture = WindowTree<T>(map, rounds, count).mixture();
+        const Vec2<T> f(T(0.5 * unit()), T(0.5 * unit()));
+        const Vec2<T> gradient(static_cast<T>(g.x), static_cast<T>(g.y));
+        const T depth = static_cast<T>(middle) + gradient.x * f.x + gradient.y * f.y;
+        const Code4 code4 = encodeMixture4(mixture, sigma);
+        const T four = mixtureVisibility4(code4, f, depth, gradient, sigma, kMixtureBias<T>);
+        tally.claim(four == T(1), four, g.x, g.y, rounds, count);
+        if (count <= 2)
+        {
+            const Code2 code2 = encodeMixture2(mixture, sigma);
+            const T two = mixtureVisibility2(code2, f, depth, gradient, sigma, kMixtureBias<T>);
+            tally.claim(two == T(1), two, g.x, g.y, rounds, count);
+        }
+        // And behind it all is dark, by twice the bias and what rounding may do.
+        const T behind = depth + T(2) * kMixtureBias<T> + T(0.008);
+        const T dark = mixtureVisibility4(code4, f, behind, gradient, sigma, kMixtureBias<T>);
+        tally.claim(dark == T(0), dark, g.x, g.y, rounds, count);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("two planes are exact in share, and coded within half a level of it")
+{
+    Random random(912);
+    Tally tally;
+    for (int i = 0; i < 300; ++i)
+    {
+        const int rounds = 1 + i % 3;
+        const int cut = random.between(-3, 3);
+        const int other = random.between(-3, 3);
+        const bool isCorner = i % 2 == 0;
+        // A straight edge, a corner, or a bar as thin as a texel.
+        const DepthMap map = [&](int x, int y)
+        {
+            const bool front = i % 5 == 0 ? x == cut : isCorner ? x < cut && y < other : x < cut;
+            return front ? 0.25 + 0.004 * x : 0.75;
+        };
+        const Mixture<double> mixture = WindowTree<double>(map, rounds, 2).mixture();
+        const double sigma = mixtureDeviation<double>(rounds);
+        const Vec2<double> still(0.0);
+        const double exact = shareOfWindow(map, rounds, still, [](int, int, double depth) { return depth > 0.5; });
+        const double uncoded = uncodedVisibility(mixture, still, 0.5, still, sigma, kMixtureBias<double>);
+        tally.claim(std::abs(uncoded - exact) < 1e-12, uncoded, exact, rounds, cut, other);
+        const double coded =
+            mixtureVisibility2(encodeMixture2(mixture, sigma), still, 0.5, still, sigma, kMixtureBias<double>);
+        // Levels of 1/30; what is there at all is a level at least.
+        tally.claim(std::abs(coded - exact) <= 1.0 / 60.0 + 1e-9 || std::min(exact, 1.0 - exact) < 1.0 / 30.0, coded,
+                    exact);
+        tally.claim(std::abs(coded - exact) <= 1.0 / 30.0 + 1e-9, coded, exact);
+        const double coded4 =
+            mixtureVisibility4(encodeMixture4(mixture, sigma), still, 0.5, still, sigma, kMixtureBias<double>);
+        tally.claim(std::abs(coded4 - coded) < 1e-12, coded, coded4);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("moving a receiver between texels takes away most of the error of not moving it")
+{
+    Random random(913);
+    for (int rounds = 2; rounds <= 3; ++rounds)
+    {
+        double moved = 0.0;
+        double still = 0.0;
+        for (int i = 0; i < 400; ++i)
+        {
+            const double angle = 6.2831853 * random.unit<double>();
+            const double cut = 3.0 * random.unit<double>() - 1.5;
+            const DepthMap map = [&](int x, int y)
+            {
+                return std::cos(angle) * x + std::sin(angle) * y < cut ? 0.2 : 0.8;
+            };
+            const Vec2<double> f(random.unit<double>() - 0.5, random.unit<double>() - 0.5);
+            const Vec2<double> flat(0.0);
+            const double exact = shareOfWindow(map, rounds, f, [](int, int, double depth) { return depth > 0.5; });
+            const double sigma = mixtureDeviation<double>(rounds);
+            const Code2 code = encodeMixture2(WindowTree<double>(map, rounds, 2).mixture(), sigma);
+            const auto error = [&](const Vec2<double>& offset)
+            {
+                const double v = mixtureVisibility2(code, offset, 0.5, flat, sigma, kMixtureBias<double>);
+                return (v - exact) * (v - exact);
+            };
+            moved += error(f);
+            still += error(flat);
+        }
+        CHECK(moved < 0.25 * still); // half of the root mean square
+    }
+}
+
+TEST_CASE_TEMPLATE("an empty map is lit, and so is what is coded from nothing", T, float, double)
+{
+    const T sigma = mixtureDeviation<T>(2);
+    const Mixture<T> empty = WindowTree<T>([](int, int) { return 1.0; }, 1, 4).mixture();
+    CHECK(encodeMixture4(empty, sigma) == encodeMixture4(Mixture<T>{}, sigma));
+    CHECK(encodeMixture2(empty, sigma) == encodeMixture2(Mixture<T>{}, sigma));
+    Random random(914);
+    for (int i = 0; i < 1000; ++i)
+    {
+        const Vec2<T> f(random.unit<T>() - T(0.5), random.unit<T>() - T(0.5));
+        const Vec2<T> g(T(0.1) * random.unit<T>() - T(0.05), T(0.1) * random.unit<T>() - T(0.05));
+        const T depth = i == 0 ? T(1) : T(0.8) * random.unit<T>();
+        const Vec2<T> slope = i == 0 ? Vec2<T>(0) : g;
+        CHECK(mixtureVisibility4(encodeMixture4(empty, sigma), f, depth, slope, sigma, kMixtureBias<T>) == T(1));
+        CHECK(mixtureVisibility2(encodeMixture2(empty, sigma), f, depth, slope, sigma, kMixtureBias<T>) == T(1));
+    }
+}
+
+TEST_CASE("the occluder is the mean of what is in front, and the receiver where nothing is")
+{
+    const Vec2<double> still(0.0);
+    Mixture<double> m{};
+    m.components[0] = flatComponent(0.6, 0.8);
+    m.components[1] = flatComponent(0.4, 0.2);
+    const Code2 two = encodeMixture2(m, 1.0);
+    const Code4 four = encodeMixture4(m, 1.0);
+    for (const auto& [depth, mean] : {std::pair{0.9, 0.56}, std::pair{0.5, 0.2}, std::pair{0.1, 0.1}})
+    {
+        CHECK(std::abs(mixtureOccluder2(two, still, depth, still, 1.0, 0.0) - mean) <= 0.5 * kDepthStep);
+        CHECK(std::abs(mixtureOccluder4(four, still, depth, still, 1.0, 0.0) - mean) <= 0.5 * kDepthStep);
+    }
+    // Of a slanted receiver the distance is counted from its plane: 0.3 everywhere under a parallel occluder.
+    const Vec2<double> g(0.02, 0.01);
+    const DepthMap map = [&](int x, int y)
+    {
+        return 0.4 + g.x * x + g.y * y;
+    };
+    const double sigma = mixtureDeviation<double>(2);
+    const Code4 parallel = encodeMixture4(WindowTree<double>(map, 2, 4).mixture(), sigma);
+    CHECK(std::abs(mixtureOccluder4(parallel, still, 0.7, g, sigma, 0.0) - 0.4) <= 0.5 * kDepthStep);
+}
+
+TEST_CASE("a mixture that matters is dark and light where its surfaces say so, and its bias is two steps of depth")
+{
+    CHECK(kMixtureBias<double> == doctest::Approx(2.0 * kDepthStep).epsilon(1e-4));
+    const Vec2<double> still(0.0);
+    Mixture<double> m{};
+    m.components[0] = flatComponent(0.5, 0.7);
+    m.components[1] = flatComponent(0.3, 0.4);
+    m.components[2] = flatComponent(0.2, 0.1);
+    const Code4 code = encodeMixture4(m, 1.0);
+    for (const auto& [depth, lit] :
+         {std::pair{0.05, 1.0}, std::pair{0.2, 0.8}, std::pair{0.5, 0.5}, std::pair{0.8, 0.0}})
+        CHECK(mixtureVisibility4(code, still, depth, still, 1.0, 0.0) == doctest::Approx(lit).epsilon(1e-9));
+}
+
+TEST_CASE_TEMPLATE("any bits are a code, and any numbers a receiver, NaN and infinity too", T, float, double)
+{
+    Random random(915);
+    Tally tally;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const auto any = [&]
+        {
+            return random.pattern<T>();
+        };
+        const auto bits = [&]
+        {
+            return static_cast<std::uint32_t>(random.between(0, 65535) << 16 | random.between(0, 65535));
+        };
+        const Code4 four(bits(), bits(), bits(), bits());
+        const Vec2<T> f(any(), any()), g(any(), any());
+        const T depth = any(), deviation = any(), bias = any();
+        const Code2 two(four.x, four.y);
+        for (const T result : {mixtureVisibility2(two, f, depth, g, deviation, bias),
+                               mixtureVisibility4(four, f, depth, g, deviation, bias),
+                               mixtureOccluder2(two, f, depth, g, deviation, bias),
+                               mixtureOccluder4(four, f, depth, g, deviation, bias)})
+            tally.claim(result >= T(0) && result <= T(1), result);
+        // And any component is coded; what comes out is a code of finite planes.
+        Mixture<T> m{};
+        for (MixtureComponent<T>& c : m.components)
+            insertComponent(m, MixtureComponent<T>{any(), f, any(), {any(), any(), any()}, g, any()}, 3), (void)c;
+        simplifyMixture(m, 4);
+        const MixturePlanes<T> planes = decodeMixture4(encodeMixture4(m, deviation), deviation);
+        for (const MixturePlane<T>& p : planes.planes)
+            tally.claim(p.weight >= T(0) && p.weight <= T(1) && p.depth >= T(0) && p.depth <= T(1) &&
+                            std::isfinite(p.spread.x + p.spread.y + p.spread.z + p.place.x + p.place.y),
+                        p.weight, p.depth);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+} // namespace
+} // namespace lvsm::unit
