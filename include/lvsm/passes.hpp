@@ -138,7 +138,7 @@ inline Pass<BlurBlock> blurPass(const BlurKernel& kernel, const Rectangle& map, 
                                 const glm::vec4& border, int firstSlice, int slices)
 {
     Pass<BlurBlock> pass{{}, groupsOver(region, slices), region};
-    for (int c = 0; c < 4; ++c)
+    for (glm::vec4::length_type c = 0; c < 4; ++c)
         pass.block.border[c] = border[c];
     storeEnds(pass.block.map, map);
     storeEnds(pass.block.region, region);
