@@ -59,6 +59,7 @@ bool checkBorders(VulkanContext& context, const Form& form);
 bool checkBlurredEsm(VulkanContext& context, const Form& form);
 bool checkBlur(VulkanContext& context, const Form& form);
 bool checkStore(VulkanContext& context, const Form& form);
+bool checkDepths(VulkanContext& context, const Form& form);
 bool checkPlacing(VulkanContext& context, const Form& form);
 
 } // namespace sampling

@@ -69,7 +69,8 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"esm_of_blurred_map", sampling::checkBlurredEsm},
                                               {"blur", sampling::checkBlur},
                                               {"store", sampling::checkStore},
-                                              {"place", sampling::checkPlacing}};
+                                              {"place", sampling::checkPlacing},
+                                              {"depths", sampling::checkDepths}};
 
 int runOnDevices(Check check, const sampling::Form& form, const std::vector<std::string>& devices)
 {

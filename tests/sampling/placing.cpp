@@ -22,6 +22,7 @@ constexpr int kTexture = 128;
 const lvsm::Rectangle kMap{5, 9, 107, 83};
 constexpr double kTolerance = 1.0 / 4096;
 constexpr int kMaxLayers = 8;
+constexpr float kFar = 8;
 constexpr int kRandomImages = 6;
 
 // The splits begin where the shaders have them.
@@ -96,6 +97,20 @@ Depth boxes(unsigned seed)
     };
 }
 
+// The same depths as a reversed depth buffer has them, but for its rounding.
+Depths projectedTree()
+{
+    const auto projected = [](int x, int y)
+    {
+        const float distance = 1 + tree(x, y, 0) * (kFar - 1);
+        return (kFar / distance - 1) / (kFar - 1);
+    };
+    Depths image(projected);
+    for (float& value : image.values)
+        value = lvsm::linearDepthReversed(value, 1.0f, kFar);
+    return image;
+}
+
 std::vector<Depths> stillImages()
 {
     std::vector<Depths> images;
@@ -118,10 +133,11 @@ std::vector<Depths> stillImages()
 class Placer
 {
 public:
-    Placer(VulkanContext& context, const Form& form, int layerCount)
-        : m_context(context), m_form(form),
+    Placer(VulkanContext& context, const Form& form, int layerCount, bool projected = false)
+        : m_context(context), m_form(form), m_projected(projected),
           m_histogram(makeBufferOf(context, std::vector<std::uint32_t>(1024 * (4 + kMaxLayers), 0))),
           m_store(makeBufferOf(context, std::vector{storeBlock(layerCount)})), m_sampler(makeSampler(context)),
+          m_source(makeBufferOf(context, std::vector{lvsm::perspectiveDepths(1, kFar, true, 1, kFar)})),
           m_count(context, shader("place_histogram", "histogram"), bindings(m_store, m_store, m_histogram.buffer, {})),
           m_place(context, shader("place", "place"), bindings(m_store, m_store, m_histogram.buffer, {}))
     {
@@ -157,8 +173,10 @@ private:
     {
         const std::string path = m_form.isHlsl() ? m_form.hlslFolder + "/lvsm/passes/place.hlsl"
                                                  : m_form.glslFolder + "/lvsm/passes/" + file + ".comp";
+        const std::string macro = m_form.isHlsl() ? "#define LVSM_DEPTH_SOURCE b4\n"
+                                                  : "#define LVSM_DEPTH_SOURCE layout(binding = 4, std140)\n";
         return compile(m_form, path, vk::ShaderStageFlagBits::eCompute,
-                       m_form.isHlsl() ? "lvsm_" + entry + "Compute" : "main", "");
+                       m_form.isHlsl() ? "lvsm_" + entry + "Compute" : "main", m_projected ? macro : "");
     }
 
     std::vector<Binding> bindings(const Buffer& block, const Buffer& store, const vk::raii::Buffer& histogram,
@@ -170,14 +188,17 @@ private:
         return {{0, texture, {}, depths, sampler},
                 {1, Type::eStorageBuffer, *histogram},
                 uniformAt(2, block),
+                uniformAt(4, m_source),
                 bufferAt(3, store)};
     }
 
     VulkanContext& m_context;
     const Form& m_form;
+    bool m_projected;
     Buffer m_histogram;
     Buffer m_store;
     vk::raii::Sampler m_sampler;
+    Buffer m_source;
     Kernel m_count;
     Kernel m_place;
 };
@@ -281,11 +302,23 @@ bool checkMoving(VulkanContext& context, const Form& form, bool optimal)
     return comparison.passed();
 }
 
+bool checkProjected(VulkanContext& context, const Form& form)
+{
+    constexpr int kLayers = 4;
+    Comparison comparison("relaxed, from a depth buffer");
+    const Depths image = projectedTree();
+    float expected[kLayers + 1];
+    lvsm::lloydRelax(image.values.data(), kMap.width, kMap.height, expected, kLayers);
+    Placer placer(context, form, kLayers, true);
+    expectSplits(comparison, placer.place(lvsm::relaxPass(kLayers, kMap), image), expected, kLayers, "");
+    return comparison.passed();
+}
+
 } // namespace
 
 bool checkPlacing(VulkanContext& context, const Form& form)
 {
-    bool passed = true;
+    bool passed = checkProjected(context, form);
     for (const bool optimal : {false, true})
     {
         passed = checkStill(context, form, optimal) && passed;

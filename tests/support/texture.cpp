@@ -174,11 +174,10 @@ Pixels readBack(const VulkanContext& context, const Texture& texture)
     return pixels;
 }
 
-vk::raii::Sampler makeSampler(const VulkanContext& context)
+vk::raii::Sampler makeSampler(const VulkanContext& context, vk::Filter filter)
 {
     const auto clamp = vk::SamplerAddressMode::eClampToEdge;
-    vk::SamplerCreateInfo info({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eNearest, clamp,
-                               clamp, clamp);
+    vk::SamplerCreateInfo info({}, filter, filter, vk::SamplerMipmapMode::eNearest, clamp, clamp, clamp);
     info.maxLod = VK_LOD_CLAMP_NONE;
     return {context.device, info};
 }

@@ -84,8 +84,8 @@ std::vector<Texel> readTexels(const VulkanContext& context, const Texture& textu
 /// For a texture of format kFormat.
 Pixels readBack(const VulkanContext& context, const Texture& texture);
 
-/// Linear within a level, clamped to the edge, the nearest level.
-vk::raii::Sampler makeSampler(const VulkanContext& context);
+/// Clamped to the edge, the nearest level.
+vk::raii::Sampler makeSampler(const VulkanContext& context, vk::Filter filter = vk::Filter::eLinear);
 
 } // namespace lvsm::support
 

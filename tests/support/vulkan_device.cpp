@@ -130,6 +130,7 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
     const auto available = physical.getFeatures();
     vk::PhysicalDeviceFeatures features;
     features.shaderStorageImageExtendedFormats = available.shaderStorageImageExtendedFormats;
+    features.sampleRateShading = available.sampleRateShading;
     return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, &features)};
 }
 

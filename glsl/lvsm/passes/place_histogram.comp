@@ -1,14 +1,15 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, passes/place.
+// Needs: config, passes/place, depth, sampling/highp, passes/depths.
 #extension GL_GOOGLE_include_directive : require
-// Counts what one depth texture holds: the second occluders of its 2x2 neighbourhoods for the relaxation, or its depths
+// Counts what one texture of depths holds, linear ones or a depth buffer (see depths.glsl): the second occluders of its 2x2 neighbourhoods for the relaxation, or its depths
 // for optimal splits. Run it over the groups that placePass gives, then place.comp.
 #include "place.glsl"
+#include "depths.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
-LVSM_PLACE_DEPTHS uniform highp sampler2D lvsm_depths;
+LVSM_PLACE_DEPTHS uniform LVSM_DEPTH_TEXTURE lvsm_depths;
 
 // Low words of the group's own sums: what they carry goes to the buffer at once.
 shared uint lvsm_weights[LVSM_PLACE_BINS];
@@ -16,7 +17,7 @@ shared uint lvsm_weighted[LVSM_PLACE_BINS];
 
 float lvsm_placedDepth(ivec2 texel)
 {
-    return clamp(texelFetch(lvsm_depths, min(texel, lvsm_map.zw - 1), 0).x, 0.0, 1.0);
+    return clamp(lvsm_depthAt(lvsm_depths, min(texel, lvsm_map.zw - 1), 0), 0.0, 1.0);
 }
 
 // How much a neighbourhood weighs and under which value. Of four numbers the variance comes from their differences,

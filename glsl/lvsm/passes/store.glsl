@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: lvsm, sampling/highp.
+// Needs: lvsm, sampling/highp, config, depth, passes/depths.
 // What one texel of a map stores for a depth, for store.comp and store.frag: all layers of any technique from one
 // texture of unwarped depths.
 // Lauritzen & McCool, Layered Variance Shadow Maps, section 5, the second way to make the layers.
@@ -11,6 +11,7 @@
 
 #include "../lvsm.glsl"
 #include "../sampling/highp.glsl"
+#include "depths.glsl"
 
 // Where the resources are: define all of these or none, in front of this file. Vulkan's sets go in here, too:
 //   #define LVSM_STORE_DEPTHS layout(set = 1, binding = 4)
@@ -74,6 +75,26 @@ vec4 lvsm_storedLayers(float depth, int slice)
 vec4 lvsm_storedTexel(float depth, int slice)
 {
     return clamp(LVSM_STORE(depth, slice), -LVSM_STORE_LARGEST, LVSM_STORE_LARGEST);
+}
+
+// The texel of a map: what is stored, filtered over the samples of a multisampled texture. Where LVSM_STORE_SLOPED is
+// defined, it is stored instead, with the change of depth to the next texel that the four neighbours show:
+//   #define LVSM_STORE_SLOPED(depth, slope, slice) vec4(lvsm_depthMomentsSloped(depth, slope.x, slope.y), 0.0, 0.0)
+vec4 lvsm_storedFrom(LVSM_DEPTH_TEXTURE depths, ivec2 texel, int slice)
+{
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < LVSM_DEPTH_SAMPLES; ++i)
+    {
+        float depth = lvsm_depthAt(depths, texel, i);
+#ifdef LVSM_STORE_SLOPED
+        vec4 stored = LVSM_STORE_SLOPED(depth, lvsm_slopeAt(depths, texel, i, lvsm_region), slice);
+        stored = clamp(stored, -LVSM_STORE_LARGEST, LVSM_STORE_LARGEST);
+#else
+        vec4 stored = lvsm_storedTexel(depth, slice);
+#endif
+        sum += stored / float(LVSM_DEPTH_SAMPLES);
+    }
+    return sum;
 }
 
 #endif

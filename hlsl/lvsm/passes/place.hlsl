@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, passes/place, depth, moments, placement, passes/place_sums, passes/place_relax, passes/place_optimal.
+// Needs: config, passes/place, depth, passes/depths, moments, placement, passes/place_sums, passes/place_relax, passes/place_optimal.
 // The splits placed on the device, in two dispatches and without a read-back: entry points lvsm_histogramCompute, which
 // counts what one depth texture holds, over the groups that placePass of include/lvsm/passes.hpp gives, and
 // lvsm_placeCompute, one group that places the splits and empties the histogram for the next frame.
@@ -10,9 +10,10 @@
 // storePass has them, in the buffer that the store pass and the lighting read as lvsm_Store: bind it here for writing.
 // Layers beyond layerCount are empty. A map without any depth discontinuity leaves the splits where they start.
 #include "place.hlsli"
+#include "depths.hlsli"
 #include "../placement.hlsli"
 
-Texture2D<float4> lvsm_depths : register(LVSM_PLACE_DEPTHS);
+LVSM_DEPTH_TEXTURE lvsm_depths : register(LVSM_PLACE_DEPTHS);
 // The buffer of StoreBlock, as floats: the splits begin at LVSM_PLACED_FIRST.
 RWStructuredBuffer<float> lvsm_placed : register(LVSM_PLACE_SPLITS);
 static const int LVSM_PLACED_FIRST = 8;
@@ -31,7 +32,7 @@ groupshared int lvsm_teleports;
 
 float lvsm_placedDepth(int2 texel)
 {
-    return clamp(lvsm_depths.Load(int3(min(texel, lvsm_map.zw - 1), 0)).x, 0.0, 1.0);
+    return clamp(lvsm_depthAt(lvsm_depths, min(texel, lvsm_map.zw - 1), 0), 0.0, 1.0);
 }
 
 // How much a neighbourhood weighs and under which value. Of four numbers the variance comes from their differences,

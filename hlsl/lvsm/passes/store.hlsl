@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: lvsm.
-// Makes a map from one texture of unwarped depths, in [0,1] and 1 where there is no surface: all layers of any
-// technique.
+// Needs: lvsm, config, depth, passes/depths.
+// Makes a map from one texture of depths, linear ones or a depth buffer (see depths.hlsli): all layers of any technique.
 // Lauritzen & McCool, Layered Variance Shadow Maps, section 5, the second way to make the layers.
 //
 // Entry points: lvsm_storeCompute makes every slice, over groups of 8 x 8 texels and one slice each; lvsm_storePixel
@@ -10,6 +9,7 @@
 // to run and which rectangle to draw. Then blur. LVSM_STORE says what a slice holds; only its default reads splits,
 // layerCount and overlap. In Vulkan, LVSM_STORE_FORMAT may name the target's format, such as "rgba16f".
 #include "../lvsm.hlsli"
+#include "depths.hlsli"
 
 // Where the resources are: define all of these or none, in front of this file. The numbers differ, so that they serve as
 // Vulkan's bindings too; a space goes in here as well:
@@ -23,7 +23,7 @@
 #define LVSM_STORE_BLOCK b2
 #endif
 
-Texture2D<float4> lvsm_depths : register(LVSM_STORE_DEPTHS);
+LVSM_DEPTH_TEXTURE lvsm_depths : register(LVSM_STORE_DEPTHS);
 #ifdef LVSM_STORE_FORMAT
 [[vk::image_format(LVSM_STORE_FORMAT)]]
 #endif
@@ -78,16 +78,36 @@ float4 lvsm_storedTexel(float depth, int slice)
     return clamp(LVSM_STORE(depth, slice), -LVSM_STORE_LARGEST, LVSM_STORE_LARGEST);
 }
 
+// The texel of a map: what is stored, filtered over the samples of a multisampled texture. Where LVSM_STORE_SLOPED is
+// defined, it is stored instead, with the change of depth to the next texel that the four neighbours show:
+//   #define LVSM_STORE_SLOPED(depth, slope, slice) float4(lvsm_depthMomentsSloped(depth, slope.x, slope.y), 0.0, 0.0)
+float4 lvsm_storedFrom(LVSM_DEPTH_TEXTURE depths, int2 texel, int slice)
+{
+    float4 sum = float4(0.0, 0.0, 0.0, 0.0);
+    for (int i = 0; i < LVSM_DEPTH_SAMPLES; ++i)
+    {
+        float depth = lvsm_depthAt(depths, texel, i);
+#ifdef LVSM_STORE_SLOPED
+        float4 stored = LVSM_STORE_SLOPED(depth, lvsm_slopeAt(depths, texel, i, lvsm_region), slice);
+        stored = clamp(stored, -LVSM_STORE_LARGEST, LVSM_STORE_LARGEST);
+#else
+        float4 stored = lvsm_storedTexel(depth, slice);
+#endif
+        sum += stored / float(LVSM_DEPTH_SAMPLES);
+    }
+    return sum;
+}
+
 [numthreads(8, 8, 1)]
 void lvsm_storeCompute(uint3 id : SV_DispatchThreadID)
 {
     int2 texel = int2(id.xy) + lvsm_region.xy;
     if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
         lvsm_target[uint3(texel, lvsm_firstSlice + int(id.z))] =
-            lvsm_storedTexel(lvsm_depths.Load(int3(texel, 0)).x, int(id.z));
+            lvsm_storedFrom(lvsm_depths, texel, int(id.z));
 }
 
 float4 lvsm_storePixel(float4 position : SV_Position) : SV_Target
 {
-    return lvsm_storedTexel(lvsm_depths.Load(int3(int2(position.xy), 0)).x, lvsm_slice);
+    return lvsm_storedFrom(lvsm_depths, int2(position.xy), lvsm_slice);
 }
