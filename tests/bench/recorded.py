@@ -43,8 +43,9 @@ def record(program):
                     for counter in COUNTERS if counter in all_[0]})
         rows.append(row)
     context = report["context"]
+    niceness = os.getpriority(os.PRIO_PROCESS, 0)
     head = {"date": context["date"][:10], "machine": machine(context), "compiler": context["compiler"],
-            "load": round(os.getloadavg()[0], 1), "command": COMMAND}
+            "load": round(os.getloadavg()[0], 1), "command": (f"nice -n {niceness} " if niceness else "") + COMMAND}
     text = ",\n".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in head.items())
     FILE.write_text("{\n" + text + ',\n"rows": [\n' + ",\n".join(map(json.dumps, rows)) + "\n]}\n")
 
