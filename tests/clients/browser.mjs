@@ -43,7 +43,7 @@ function serve(folders) {
 // modules import "three" from the current folder's packages. browser: its name and version.
 export async function runPage(page, folders, argument) {
     const server = await serve({"/packages/": join(process.cwd(), "node_modules"), ...folders});
-    const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: FLAGS});
+    const browser = await chromium.launch({executablePath: process.env.LVSM_CHROMIUM ?? "/usr/bin/chromium", args: FLAGS});
     try {
         const tab = await browser.newPage();
         const said = [];
