@@ -21,9 +21,11 @@ def changes(text):
     """Yields a description and the changed document."""
     for match in documents.BLOCK.finditer(text):
         lines = match["body"].splitlines(keepends=True)
-        row = lines[len(lines) // 2 + 1 if len(lines) > 3 else -1]
-        at = text.index(row, match.start("body")) + max(i for i, character in enumerate(row) if character.isdigit())
-        yield f"a cell of table {match['name']}", another_digit(text, at)
+        rows = [line for line in lines[2:] if any(character.isdigit() for character in line)]
+        row = rows[len(rows) // 2] if rows else lines[-1]
+        if rows:
+            at = text.index(row, match.start("body")) + max(i for i, character in enumerate(row) if character.isdigit())
+            yield f"a cell of table {match['name']}", another_digit(text, at)
         yield f"table {match['name']} without its marker", text.replace(match["head"], "", 1)
         yield f"table {match['name']} without its end", text[:match.start("end")] + text[match.end("end"):]
         yield f"table {match['name']} renamed", text.replace(match["head"], match["head"].replace(match["name"], "other.name"))
