@@ -13,15 +13,23 @@ function program(gl, fragment) {
     }
     gl.linkProgram(made);
     if (!gl.getProgramParameter(made, gl.LINK_STATUS))
-        throw new Error("the one-file version does not link");
+        throw new Error(`does not link: ${fragment.slice(0, 400)}`);
     return made;
 }
 
-// The bits of each constant of the text, by name, as a shader has them.
+const text = async (file) => (await fetch(`/single/${file}`)).text();
+
+// The bits of each constant of the text, by name, as a shader has them. The wrappers and the passes for WebGL2 compile
+// beside that, with what their first lines ask for.
 export async function main() {
-    const library = await (await fetch("/single/lvsm_all.glsl")).text();
+    const library = await text("lvsm_all.glsl");
     const names = [...library.matchAll(/^const float (\w+) =/gm)].map((match) => match[1]);
     const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
+    program(gl, `${HEAD}${await text("lvsm_combined.glsl")}
+        out vec4 result;
+        void main() { result = vec4(1.0); }`);
+    for (const pass of ["lvsm_blur.frag", "lvsm_store.frag"])
+        program(gl, (await text(pass)).replace("#version 450\n", HEAD));
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 1, 1);
