@@ -227,9 +227,9 @@ TEST_CASE("covariances beyond 1 count as 1, a variance beyond [0,1] as its end, 
         return planeBracketedVisibility(c.front, c.own, c.behind, size * c.covariances, c.length,
                                         Vec2<double>(0, c.length), c.variance, 0.25 * c.length * c.length, 0.0);
     };
-    const Vec2<double> none(1), nothing(0), before(0.75, 0.5625), beyond(0.25, 0.0625);
+    const Vec2<double> none(1), nothing(0), near(0.9, 0.81), beyond(0.25, 0.0625);
     for (const Case& c :
-         {Case{{0.5, 0.5}, {0, 0}, nothing, {1, 0, 0}, 1, 0}, Case{before, {0, 0}, nothing, {-1, 0, 0}, 1, 0},
+         {Case{{0.5, 0.5}, {0, 0}, nothing, {1, 0, 0}, 1, 0}, Case{near, {0, 0}, nothing, {-1, 0, 0}, 1, 0},
           Case{none, {0.8, 0.7}, nothing, {0, 1, 0}, 0.25, 1}, Case{none, {0.8, 0.7}, nothing, {0, -1, 0}, 1, 0},
           Case{none, {0.06, 0.05}, beyond, {0, 0, 1}, 1, 0}, Case{none, {0.25, 0.2}, beyond, {0, 0, -1}, 1, 0}})
     {
@@ -252,7 +252,7 @@ TEST_CASE("covariances beyond 1 count as 1, a variance beyond [0,1] as its end, 
 
     const auto neighbours = [&](const Vec2<double>& front, const Vec2<double>& behind)
     {
-        return planeBracketedVisibility(front, Vec2<double>(0.5, 0.4), behind, Vec3<double>(0.05, 0, 0.05), 0.8,
+        return planeBracketedVisibility(front, Vec2<double>(0.5, 0.4), behind, Vec3<double>(0.05, 0, 0.05), 1.0,
                                         Vec2<double>(0, 1), 0.0, 0.01, 0.0);
     };
     CHECK(neighbours({-3, 0}, nothing) == neighbours({0, 0}, nothing));
