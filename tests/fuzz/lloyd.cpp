@@ -3,6 +3,8 @@
 
 #include "bytes.hpp"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -28,7 +30,7 @@ void check(const RelaxResult<T>& result, const RelaxOptions<T>& options, const s
            const std::vector<T>& splits)
 {
     LVSM_CLAIM(result ? areSplits(splits) : areAlike(before, splits));
-    LVSM_CLAIM(result.iterations >= 0 && result.iterations <= detail::max(options.maxIterations, 0));
+    LVSM_CLAIM(result.iterations >= 0 && result.iterations <= std::max(options.maxIterations, 0));
     LVSM_CLAIM(result.movement >= T(0) && result.movement <= T(1));
     LVSM_CLAIM(std::strlen(describe(result.status)) > 10);
 }

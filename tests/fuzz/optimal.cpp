@@ -3,6 +3,8 @@
 
 #include "bytes.hpp"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -23,9 +25,9 @@ void check(const OptimalResult<T>& result, const OptimalOptions<T>& options, int
     LVSM_CLAIM(areSplits(splits));
     LVSM_CLAIM(result.distortion >= T(0) && result.distortion <= T(0.25));
     // Half of the least cell, in whole bins, but for the rounding of two splits.
-    const int cells = detail::min(layers, bins);
-    const double least = detail::clamp(static_cast<double>(options.minLength), 0.0, 1.0);
-    const int leastBins = detail::clamp(static_cast<int>(least * bins), 1, bins / cells);
+    const int cells = std::min(layers, bins);
+    const double least = options.minLength > T(0) ? std::min(static_cast<double>(options.minLength), 1.0) : 0.0;
+    const int leastBins = std::clamp(static_cast<int>(least * bins), 1, bins / cells);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i)
         LVSM_CLAIM(static_cast<double>(splits[i + 1] - splits[i]) >= 0.5 * leastBins / bins - 1.2e-7);
 }
