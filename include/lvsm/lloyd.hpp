@@ -195,7 +195,9 @@ public:
             const T split = m_splits[i];
             const ClusterSums sums =
                 clusterOf(m_histogram, before, split, m_splits[i + 1], i == 1, i == m_layerCount - 1);
-            m_splits[i] = updateSplit(split, static_cast<T>(sums.weighted), static_cast<T>(sums.weight));
+            const T mean = updateSplit(split, static_cast<T>(sums.weighted), static_cast<T>(sums.weight));
+            // It lies between the neighbours but for rounding.
+            m_splits[i] = clamp(mean, m_splits[i - 1], m_splits[i + 1]);
             largest = maximum(largest, m_splits[i] > split ? m_splits[i] - split : split - m_splits[i]);
             before = split;
         }

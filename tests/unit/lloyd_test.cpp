@@ -240,6 +240,26 @@ TEST_CASE_TEMPLATE("lloydRelax never leaves the unit interval and never disorder
     LVSM_CHECK_TALLY(tally);
 }
 
+// Splits that crowd to one peak come as near to each other as numbers are: the mean of a cluster, rounded, passed by a
+// neighbour.
+TEST_CASE_TEMPLATE("splits that crowd to one peak stay in order", T, float, double)
+{
+    Random random(68);
+    Tally tally;
+    for (int i = 0; i < 2000; ++i)
+    {
+        RelaxOptions<T> options;
+        options.splitsPerIteration = random.between(0, 1) * 2;
+        options.minVariance = T(0);
+        options.tolerance = T(0);
+        options.maxIterations = random.between(1, 100);
+        std::vector<T> splits = emptySplits<T>(random.between(3, 20));
+        const RelaxResult<T> result = stripes<T>({random.unit<T>()}, random.unit<T>()).relax(splits, options);
+        tally.claim(result && areValid(splits), i, describe(result.status));
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
 TEST_CASE_TEMPLATE("lloydRelax clamps depths outside the unit interval", T, float, double)
 {
     std::vector<T> clamped = emptySplits<T>(3);
