@@ -25,8 +25,8 @@
 //   GLSL ES      3.00 or later. A shader says precision highp float; and precision highp int; before this file.
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
-// esm, convolution, pcf, filter, components, mixture; on the host also lloyd, optimal, passes, passes_depth and
-// passes_place. A whole use, in each language:
+// esm, convolution, pcf, filter, components, mixture; on the host also lloyd, optimal, passes, passes_depth,
+// passes_fused and passes_place. A whole use, in each language:
 //
 // C++
 //
@@ -91,6 +91,7 @@
 #include "optimal.hpp"
 #include "passes.hpp"
 #include "passes_depth.hpp"
+#include "passes_fused.hpp"
 #include "passes_place.hpp"
 #include "pcf.hpp"
 #include "placement.hpp"

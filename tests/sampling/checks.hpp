@@ -60,6 +60,7 @@ bool checkBlurredEsm(VulkanContext& context, const Form& form);
 bool checkBlur(VulkanContext& context, const Form& form);
 bool checkStore(VulkanContext& context, const Form& form);
 bool checkDepths(VulkanContext& context, const Form& form);
+bool checkFused(VulkanContext& context, const Form& form);
 bool checkPlacing(VulkanContext& context, const Form& form);
 
 } // namespace sampling

@@ -70,7 +70,8 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"blur", sampling::checkBlur},
                                               {"store", sampling::checkStore},
                                               {"place", sampling::checkPlacing},
-                                              {"depths", sampling::checkDepths}};
+                                              {"depths", sampling::checkDepths},
+                                              {"fused", sampling::checkFused}};
 
 int runOnDevices(Check check, const sampling::Form& form, const std::vector<std::string>& devices)
 {

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Compares the structs that include/lvsm/passes*.hpp fill with the uniform blocks of the compiled passes, member by member.
+
+    blocks.py --glslang glslangValidator --dxc dxc --disassembler spirv-dis
+"""
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Struct, its block in the shaders, a GLSL pass with it, the same in HLSL with its entry point, and what switches it on.
+BLOCKS = [("BlurBlock", "lvsm_Blur", "blur.comp", "blur.hlsl", "lvsm_blurCompute", {}),
+          ("StoreBlock", "lvsm_Store", "store.comp", "store.hlsl", "lvsm_storeCompute", {}),
+          ("PlaceBlock", "lvsm_Place", "place.comp", "place.hlsl", "lvsm_placeCompute", {}),
+          ("PlaceBlock", "lvsm_Place", "place_histogram.comp", "place.hlsl", "lvsm_histogramCompute", {}),
+          ("FusedBlock", "lvsm_Fused", "fused.comp", "fused.hlsl", "lvsm_fusedCompute", {}),
+          ("DepthBlock", "lvsm_Depths", "store.comp", "store.hlsl", "lvsm_storeCompute",
+           {"glsl": "LVSM_DEPTH_SOURCE=layout(binding=4,std140)", "hlsl": "LVSM_DEPTH_SOURCE=b4"})]
+
+
+def structs():
+    """Offset of each member of each struct: all are arrays of four bytes each."""
+    text = "".join(path.read_text() for path in sorted((ROOT / "include/lvsm").glob("passes*.hpp")))
+    constants = {name: int(value) for name, value in re.findall(r"constexpr int (k\w+) = (\d+);", text)}
+    found = {}
+    for struct, body in re.findall(r"^struct (\w+Block)\n\{\n(.*?)^\};", text, re.MULTILINE | re.DOTALL):
+        offset, members = 0, {}
+        for line in re.sub(r" *//[^\n]*", "", body).split(";")[:-1]:
+            name, sizes = re.fullmatch(r"\s*(?:float|std::int32_t) (\w+)((?:\[[^\]]+\])*)", line).groups()
+            members[name] = offset
+            count = 1
+            for size in re.findall(r"\[([^\]]+)\]", sizes):
+                count *= eval(size, {"__builtins__": {}}, constants)
+            offset += 4 * count
+        found[struct] = members
+    return found
+
+
+def offsets(disassembly, block):
+    """Offset of each member of a block, without the lvsm_ in front of its name."""
+    ids = re.findall(rf'OpName (%\S+) "(?:type\.)?{block}"', disassembly)
+    for id_ in ids:
+        names = re.findall(rf'OpMemberName {re.escape(id_)} (\d+) "lvsm_(\w+)"', disassembly)
+        places = dict(re.findall(rf"OpMemberDecorate {re.escape(id_)} (\d+) Offset (\d+)", disassembly))
+        if names:
+            return {name: int(places[number]) for number, name in names}
+    return {}
+
+
+def commands(options, glsl, hlsl, entry, macros):
+    passes = ROOT / "glsl/lvsm/passes", ROOT / "hlsl/lvsm/passes"
+    define = [f"-D{macros[language]}" if macros else "-DUNUSED=1" for language in ("glsl", "hlsl")]
+    yield "GLSL", [options.glslang, "-V", "--target-env", "vulkan1.1", define[0], passes[0] / glsl, "-o"]
+    yield "HLSL, glslang", [options.glslang, "-D", "-V", "--target-env", "vulkan1.1", "--hlsl-offsets", define[1], "-e",
+                            entry, "-S", "comp", passes[1] / hlsl, "-o"]
+    yield "HLSL, dxc", [options.dxc, "-T", "cs_6_0", "-E", entry, "-spirv", "-fspv-target-env=vulkan1.1", define[1],
+                        passes[1] / hlsl, "-Fo"]
+
+
+def check(options, folder):
+    wanted = structs()
+    for struct, block, glsl, hlsl, entry, macros in BLOCKS:
+        expected = {name: offset for name, offset in wanted[struct].items() if name != "unused"}
+        for compiler, command in commands(options, glsl, hlsl, entry, macros):
+            binary = pathlib.Path(folder) / "pass.spv"
+            subprocess.run([str(part) for part in [*command, binary]], check=True, stdout=subprocess.DEVNULL)
+            text = subprocess.run([options.disassembler, "--raw-id", binary], check=True, stdout=subprocess.PIPE,
+                                  text=True).stdout
+            found = offsets(text, block)
+            print(f"{'ok  ' if found == expected else 'FAIL'} {struct} and {block}, {compiler}, {hlsl}: {found}")
+            if found != expected:
+                print(f"     the struct has {expected}")
+            yield found == expected
+    for struct in wanted.keys() - {row[0] for row in BLOCKS}:
+        print(f"FAIL {struct} is compared with no shader: add it to BLOCKS of {__file__}")
+        yield False
+
+
+def is_missing(command):
+    return not shutil.which(command) or subprocess.run([command, "--version"], stdout=subprocess.DEVNULL).returncode == 77
+
+
+parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+for option in ("--glslang", "--dxc", "--disassembler"):
+    parser.add_argument(option, required=True)
+arguments = parser.parse_args()
+for missing in filter(is_missing, (arguments.glslang, arguments.dxc, arguments.disassembler)):
+    print(f"skipped: no {missing}")
+    sys.exit(77)
+with tempfile.TemporaryDirectory() as temporary:
+    results = list(check(arguments, temporary))
+sys.exit(0 if results and all(results) else 1)
