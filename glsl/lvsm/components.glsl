@@ -226,21 +226,26 @@ void lvsm_insertComponent(inout lvsm_Mixture mixture, lvsm_MixtureComponent comp
     if (!(partner.weight > 0.0))
         return;
 
+    // Loops end where a compiler sees it and return nowhere, so that they are unrolled and components stay in registers.
     float costs[LVSM_MAX_COMPONENTS];
-    for (int i = 0; i < LVSM_MAX_COMPONENTS; ++i)
+    int room = LVSM_MAX_COMPONENTS;
+    for (int i = LVSM_MAX_COMPONENTS - 1; i >= 0; --i)
     {
         costs[i] = 0.0;
         if (i < last)
         {
             mixture.components[i] = lvsm_validComponent(mixture.components[i]);
-            if (!(mixture.components[i].weight > 0.0))
-            {
-                mixture.components[i] = partner;
-                return;
-            }
             costs[i] = lvsm_costOf(mixture.components[i]);
+            room = mixture.components[i].weight > 0.0 ? room : i;
         }
     }
+    for (int r = 0; r < LVSM_MAX_COMPONENTS; ++r)
+    {
+        if (r == room)
+            mixture.components[r] = partner;
+    }
+    if (room < LVSM_MAX_COMPONENTS)
+        return;
 
     // Pairs (m, n), where n = last stands for the new component.
     float newCost = lvsm_costOf(partner);
@@ -249,10 +254,10 @@ void lvsm_insertComponent(inout lvsm_Mixture mixture, lvsm_MixtureComponent comp
     int second = last;
     for (int m = 0; m < LVSM_MAX_COMPONENTS; ++m)
     {
-        for (int n = m + 1; n < LVSM_MAX_COMPONENTS; ++n)
+        for (int n = 1; n < LVSM_MAX_COMPONENTS; ++n)
         {
             float price = least;
-            if (n < last)
+            if (n > m && n < last)
                 price = lvsm_costOf(lvsm_merged(mixture.components[m], mixture.components[n])) - (costs[m] + costs[n]);
             if (price < least)
             {
@@ -312,9 +317,9 @@ void lvsm_simplifyMixture(inout lvsm_Mixture mixture, int count)
     bool isOne = lvsm_costOf(whole) - costs < 1.0e-4;
     for (int i = 0; i < LVSM_MAX_COMPONENTS; ++i)
     {
-        for (int j = i + 1; j < LVSM_MAX_COMPONENTS; ++j)
+        for (int j = 1; j < LVSM_MAX_COMPONENTS; ++j)
         {
-            if (j < last)
+            if (j > i && j < last)
             {
                 lvsm_MixtureComponent a = mixture.components[i];
                 lvsm_MixtureComponent b = mixture.components[j];
@@ -338,11 +343,10 @@ lvsm_Mixture lvsm_mixtureOfTaps(vec4 depths, vec4 x, vec4 y, int count)
     lvsm_Mixture mixture;
     for (int i = 0; i < LVSM_MAX_COMPONENTS; ++i)
         mixture.components[i] = lvsm_noComponent();
-    for (int tap = 0; tap < 4; ++tap)
-    {
-        lvsm_MixtureComponent component = lvsm_tapComponent(depths[tap]);
-        lvsm_insertComponent(mixture, lvsm_moveComponent(component, vec2(x[tap], y[tap]), 0.25), count);
-    }
+    lvsm_insertComponent(mixture, lvsm_moveComponent(lvsm_tapComponent(depths.x), vec2(x.x, y.x), 0.25), count);
+    lvsm_insertComponent(mixture, lvsm_moveComponent(lvsm_tapComponent(depths.y), vec2(x.y, y.y), 0.25), count);
+    lvsm_insertComponent(mixture, lvsm_moveComponent(lvsm_tapComponent(depths.z), vec2(x.z, y.z), 0.25), count);
+    lvsm_insertComponent(mixture, lvsm_moveComponent(lvsm_tapComponent(depths.w), vec2(x.w, y.w), 0.25), count);
     return mixture;
 }
 

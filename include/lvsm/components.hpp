@@ -254,12 +254,14 @@ void insertComponent(Mixture<T>& mixture, const MixtureComponent<T>& component, 
         if (i >= last)
             continue;
         mixture.components[i] = detail::validComponent(mixture.components[i]);
-        if (!(mixture.components[i].weight > T(0)))
-        {
-            mixture.components[i] = partner;
-            return;
-        }
         costs[i] = detail::costOf(mixture.components[i]);
+    }
+    for (int i = 0; i < last; ++i)
+    {
+        if (mixture.components[i].weight > T(0))
+            continue;
+        mixture.components[i] = partner;
+        return;
     }
 
     // Pairs (i, j), where j = last stands for the new component.

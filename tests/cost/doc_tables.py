@@ -36,6 +36,11 @@ def cost(name, target=FIRST):
     return ROWS[target, name]["inverse_throughput"]
 
 
+def instructions(name, target=FIRST):
+    """Those of an estimate or function, without its loads."""
+    return ROWS[target, name]["instructions"]
+
+
 def loads(name, target=FIRST):
     """That of the loads alone."""
     return ROWS[target, name]["load_inverse_throughput"]
@@ -47,4 +52,4 @@ def paid(name, target=FIRST):
 
 
 TABLES = {"cost.estimates": estimates, "cost.passes": passes}
-NAMES = {"cost": cost, "loads": loads, "paid": paid, "mesa": re.search(r"[\d.]+", RECORDED["compiler"]).group()}
+NAMES = {"cost": cost, "instructions": instructions, "loads": loads, "paid": paid, "mesa": re.search(r"[\d.]+", RECORDED["compiler"]).group()}
