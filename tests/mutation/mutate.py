@@ -37,9 +37,9 @@ def listed(path):
         if line.startswith("# "):
             reason = [line[2:]] if ended else reason + [line[2:]]
             ended = False
-        elif line.strip() and not line.startswith("#"):
+        elif line:
             reasons[line] = " ".join(reason)
-            ended = True
+        ended = ended or not line.startswith("#")
     return reasons
 
 

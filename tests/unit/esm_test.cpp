@@ -129,6 +129,54 @@ TEST_CASE("the threshold test misses what the Z-Max test finds")
     CHECK_FALSE(violatesZMax(0.5, 0.52, 0.03));
 }
 
+TEST_CASE_TEMPLATE("maxDepth is the greatest of four, wherever it stands", T, float, double)
+{
+    for (int place = 0; place < 4; ++place)
+    {
+        Vec4<T> depths(T(0.25), T(0.125), T(0.375), T(0.5));
+        depths[place] = T(0.75);
+        CHECK(maxDepth(depths) == T(0.75));
+        depths[place] = T(7);
+        CHECK(maxDepth(depths) == T(1));
+    }
+    CHECK(maxDepth(Vec4<T>(-4, -3, -2, -1)) == T(0));
+}
+
+TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in exponential shadow maps", T, float, double)
+{
+    CHECK(occluderTerm(T(1), T(-3)) == T(1));
+    CHECK(occluderTerm(T(0.5), T(0.5)) == doctest::Approx(std::exp(0.25)).epsilon(1e-6));
+    CHECK(exponentialShadow(T(0.5), T(1), T(-3)) == T(0.5));
+    CHECK(exponentialShadow(T(0.5), T(-1), T(10)) == T(0.5));
+    CHECK(exponentialShadow(T(100), T(3), T(10)) == exponentialShadow(T(100), T(1), T(10)));
+    CHECK(exponentialShadow(T(0.5), T(1), T(0.5)) == doctest::Approx(0.5 * std::exp(-0.5)).epsilon(1e-6));
+
+    CHECK(violatesZMax(T(-3), T(0.5), T(0)));
+    CHECK_FALSE(violatesZMax(T(-3), T(0.5), T(0.5)));
+    CHECK(violatesZMax(T(0.5), T(0.6), T(-3)));
+    CHECK_FALSE(violatesZMax(T(0.5), T(0.5), T(-3)));
+    CHECK_FALSE(violatesZMax(T(3), T(7), T(0)));
+    CHECK_FALSE(violatesZMax(T(0.25), T(7), T(0.75)));
+    CHECK_FALSE(violatesZMax(T(0), T(-1), T(0)));
+    CHECK(violatesZMax(T(0), T(0.9), T(0.75)));
+
+    CHECK(logShadow(T(0.5), T(1), T(-3)) == logShadow(T(0.5), T(1), T(1)));
+    CHECK(logShadow(T(0.5), T(1), T(1)) == doctest::Approx(std::exp(-0.5)).epsilon(1e-6));
+    CHECK(logShadow(T(-3), T(0.5), T(1)) == logShadow(T(0), T(0.5), T(1)));
+    CHECK(logShadow(T(0.5), T(3), T(1)) == logShadow(T(0.5), T(1), T(1)));
+    const Vec2<T> sum(T(0.5), T(0.75));
+    CHECK(logFiltered(sum, T(-3)) == logFiltered(sum, T(1)));
+    CHECK(logFiltered(sum, T(1)) == doctest::Approx(0.5 + std::log(0.75)).epsilon(1e-6));
+    CHECK(logFiltered(Vec2<T>(T(3), T(0.5)), T(2)) == logFiltered(Vec2<T>(T(1), T(0.5)), T(2)));
+    CHECK(logFiltered(Vec2<T>(T(-3), T(2)), T(2)) == logFiltered(Vec2<T>(T(0), T(2)), T(2)));
+    CHECK(logFiltered(Vec2<T>(T(1), T(0)), T(1)) == T(0));
+
+    CHECK(maxTermExponent(T(100), T(0.25)) == maxTermExponent(T(100), T(1)));
+    CHECK(maxTermExponent(T(0), T(1)) == T(0));
+    CHECK(maxTermExponent(T(1), T(1)) == T(0));
+    CHECK(maxTermExponent(T(1), T(4)) == T(0));
+}
+
 TEST_CASE_TEMPLATE("the threshold is an excess over 1, and a negative one counts as 0", T, float, double)
 {
     // At depth 0 the shadow is the occluder's term itself.

@@ -173,5 +173,17 @@ TEST_CASE_TEMPLATE("percentage-closer filtering stays in range for any arguments
     LVSM_CHECK_TALLY(tally);
 }
 
+TEST_CASE_TEMPLATE("a receiver and its bias beyond their ranges count as the ends of them", T, float, double)
+{
+    CHECK(depthTest(T(-0.5), T(-3), T(0)) == T(0));
+    CHECK(depthTest(T(1), T(7), T(0)) == T(1));
+    CHECK(depthTest(T(-0.75), T(0.5), T(1)) == T(0));
+    CHECK(depthTest(T(-0.5), T(0.5), T(1)) == T(1));
+    CHECK(depthTest(T(-0.75), T(0.5), T(7)) == T(0));
+    CHECK(depthTest(T(1.25), T(0.5), T(-1)) == T(0));
+    CHECK(depthTest(T(1.5), T(0.5), T(-1)) == T(1));
+    CHECK(depthTest(T(1.5), T(0.5), T(-7)) == T(1));
+}
+
 } // namespace
 } // namespace lvsm::unit
