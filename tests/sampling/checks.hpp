@@ -58,9 +58,11 @@ bool checkWrappers(VulkanContext& context, const Form& form);
 bool checkBorders(VulkanContext& context, const Form& form);
 bool checkBlurredEsm(VulkanContext& context, const Form& form);
 bool checkBlur(VulkanContext& context, const Form& form);
+bool checkLitGround(VulkanContext& context, const Form& form);
 bool checkStore(VulkanContext& context, const Form& form);
 bool checkDepths(VulkanContext& context, const Form& form);
 bool checkFused(VulkanContext& context, const Form& form);
+bool checkStoreExamples(VulkanContext& context, const Form& form);
 bool checkPlacing(VulkanContext& context, const Form& form);
 
 } // namespace sampling

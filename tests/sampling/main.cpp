@@ -68,6 +68,8 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"borders", sampling::checkBorders},
                                               {"esm_of_blurred_map", sampling::checkBlurredEsm},
                                               {"blur", sampling::checkBlur},
+                                              {"lit_ground_at_edge", sampling::checkLitGround},
+                                              {"store_examples_in_their_format", sampling::checkStoreExamples},
                                               {"store", sampling::checkStore},
                                               {"place", sampling::checkPlacing},
                                               {"depths", sampling::checkDepths},

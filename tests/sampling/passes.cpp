@@ -1,6 +1,12 @@
 // The ready passes, run as they are, by Vulkan.
 #include "passes_truth.hpp"
 
+#include <glm/gtc/packing.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <regex>
+
 namespace sampling
 {
 namespace
@@ -130,6 +136,29 @@ bool checkBlur(VulkanContext& context, const Form& form)
     return runBlur(context, {form, Stage::Compute, "blur", format}, blurOfPart()) && passed;
 }
 
+bool checkLitGround(VulkanContext& context, const Form& form)
+{
+    const std::string format = form.isHlsl() ? "" : "#define LVSM_BLUR_FORMAT rgba32f\n";
+    const Shading shading{form, Stage::Compute, "blur", format};
+    const auto sampler = makeSampler(context);
+    bool passed = true;
+    for (const Ground ground : {Ground::Exponential, Ground::Layered})
+    {
+        for (const double slope : {0.002, 0.01, -0.01})
+        {
+            const Texture source = makeTexture(context, groundMap(ground, slope));
+            const Texture between = makeTexture(context, Pixels(kWidth, kHeight, kSlices));
+            const auto passes =
+                lvsm::blurPasses(lvsm::binomialKernel(9, false), kWhole, kWhole, groundBorder(ground), 0, kSlices);
+            run(context, shading, source, true, *sampler, between, passes.across);
+            run(context, shading, between, true, *sampler, source, passes.down);
+            const std::string what = ground == Ground::Exponential ? "EVSM4 at the edge" : "LVSM at the edge";
+            passed = compareGround(what, ground, slope, readBack(context, source)) && passed;
+        }
+    }
+    return passed;
+}
+
 bool checkStore(VulkanContext& context, const Form& form)
 {
     const std::string format = form.isHlsl() ? "" : "#define LVSM_STORE_FORMAT rgba32f\n";
@@ -142,6 +171,93 @@ bool checkStore(VulkanContext& context, const Form& form)
         passed = runStore(context, {form, stage, "store", format + exponential.macros, 4}, exponential) && passed;
     }
     return passed;
+}
+
+namespace
+{
+
+// A technique that a comment of the store pass shows: its lines, and what they say.
+struct Example
+{
+    std::string macros;
+    glm::dvec2 exponents;
+    bool wide;
+};
+
+std::vector<Example> storeExamples(const Form& form)
+{
+    std::ifstream file(form.isHlsl() ? form.hlslFolder + "/lvsm/passes/store.hlsl"
+                                     : form.glslFolder + "/lvsm/passes/store.glsl");
+    const std::string mark = "//   ";
+    const std::regex technique(
+        R"(#define LVSM_STORE\(.*vec2\(([\d.]+), ([\d.]+)\)\)|.*float2\(([\d.]+), ([\d.]+)\)\))");
+    const std::regex ofTechnique("^" + mark + "#define LVSM_STORE(\\(|_LARGEST|_FORMAT)");
+    std::vector<Example> examples;
+    std::smatch match;
+    for (std::string line; std::getline(file, line);)
+    {
+        if (!std::regex_search(line, ofTechnique))
+            continue;
+        const std::string macro = line.substr(mark.size());
+        if (std::regex_match(macro, match, technique))
+        {
+            const std::size_t first = match[1].matched ? 1 : 3;
+            examples.push_back({"", {std::stod(match[first]), std::stod(match[first + 1])}, false});
+        }
+        else if (examples.empty())
+        {
+            continue;
+        }
+        examples.back().macros += macro + '\n';
+        examples.back().wide |= macro.find("FP32") != std::string::npos || macro.find("32f") != std::string::npos;
+    }
+    return examples;
+}
+
+// The texels of a target, as they were stored in its format.
+std::vector<glm::vec4> storedTexels(VulkanContext& context, const Texture& target, bool wide)
+{
+    if (wide)
+        return readTexels<glm::vec4>(context, target);
+    std::vector<glm::vec4> texels;
+    for (const std::uint64_t halves : readTexels<std::uint64_t>(context, target))
+        texels.push_back(glm::unpackHalf4x16(halves));
+    return texels;
+}
+
+} // namespace
+
+bool checkStoreExamples(VulkanContext& context, const Form& form)
+{
+    Comparison comparison("examples of the store pass in their format");
+    const Pixels depths = storeDepths();
+    const Texture source = makeTexture(context, depths);
+    const auto sampler = makeSampler(context);
+    for (const Example& example : storeExamples(form))
+    {
+        const char* format = example.wide ? "rgba32f" : "rgba16f";
+        const Texture target =
+            makeTexture(context, Shape{kWidth, kHeight, kSlices},
+                        example.wide ? vk::Format::eR32G32B32A32Sfloat : vk::Format::eR16G16B16A16Sfloat);
+        // HLSL has formats in Vulkan alone.
+        const std::string macros =
+            form.isHlsl() ? example.macros + "#define LVSM_STORE_FORMAT \"" + format + "\"\n" : example.macros;
+        run(context, {form, Stage::Compute, "store", macros}, source, false, *sampler, target, storePassOfTest());
+        const std::vector<glm::vec4> texels = storedTexels(context, target, example.wide);
+        for (std::size_t i = 0; i < texels.size(); ++i)
+        {
+            const auto depth = static_cast<double>(depths.texels[i % depths.texels.size()].x);
+            const glm::dvec4 expected = lvsm::exponentialMoments(depth, example.exponents);
+            for (int c = 0; c < 4; ++c)
+            {
+                // A square of an exponential, each 3 + 2 c units off, and a unit of the format: Vulkan lets a conversion cut off.
+                const double share = (example.wide ? 0.0 : 1.0 / 1024) + 4 * (3 + 2 * 42.0) / (1 << 23);
+                comparison.expect(static_cast<double>(texels[i][c]), expected[c], share * std::abs(expected[c]) + 1e-7,
+                                  std::string(format) + " depth " + std::to_string(depth));
+            }
+        }
+    }
+    return comparison.passed();
 }
 
 } // namespace sampling

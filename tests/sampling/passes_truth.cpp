@@ -49,6 +49,38 @@ Vec4 twoLayers(double depth, int slice)
     return lvsm::packLayers(moments(2 * slice), moments(2 * slice + 1));
 }
 
+const glm::dvec2 kExponents(40, 10);
+const glm::dvec2 kInterval(0.2, 0.9);
+constexpr double kMinVariance = 1e-5;
+
+double groundDepth(double x, double slope)
+{
+    return 0.5 + slope * (x - 0.5 * kWidth);
+}
+
+Vec4 groundTexel(Ground ground, double depth)
+{
+    if (ground == Ground::Exponential)
+        return lvsm::exponentialMoments(depth, kExponents);
+    return Vec4(lvsm::layerMoments(depth, kInterval), 0, 0);
+}
+
+// From a bilinear sample at a position in texels.
+double groundVisibility(Ground ground, double slope, const Pixels& blurred, double x)
+{
+    const auto texel = [&](int at)
+    {
+        return at >= 0 && at < kWidth ? Vec4(blurred.at(at, kHeight / 2)) : groundTexel(ground, 1);
+    };
+    const double corner = std::floor(x - 0.5);
+    const double fraction = x - 0.5 - corner;
+    const auto first = static_cast<int>(corner);
+    const Vec4 sample = texel(first) * (1 - fraction) + texel(first + 1) * fraction;
+    const double depth = groundDepth(x, slope);
+    return ground == Ground::Exponential ? lvsm::exponentialVisibility4(sample, depth, kExponents, kMinVariance)
+                                         : lvsm::layeredVisibility(glm::dvec2(sample), depth, kInterval, kMinVariance);
+}
+
 } // namespace
 
 Pixels randomPixels(int slices)
@@ -109,6 +141,36 @@ bool compareBlur(const std::string& what, const Blur& blur, const Pixels& source
             comparison.expect(static_cast<double>(target.at(x, y, slice)[c]), expected[c], tolerance,
                               describe(x, y, slice));
     }
+    return comparison.passed();
+}
+
+Pixels groundMap(Ground ground, double slope)
+{
+    Pixels pixels(kWidth, kHeight, kSlices);
+    for (std::size_t i = 0; i < pixels.texels.size(); ++i)
+        pixels.texels[i] = groundTexel(ground, groundDepth(static_cast<double>(i % kWidth) + 0.5, slope));
+    return pixels;
+}
+
+glm::vec4 groundBorder(Ground ground)
+{
+    return groundTexel(ground, 1);
+}
+
+bool compareGround(const std::string& what, Ground ground, double slope, const Pixels& blurred)
+{
+    // A kernel of 9 taps and the bilinear sample after it see no edge from 6 texels on.
+    double middle = 1;
+    double edge = 1;
+    for (int step = -16 * 4; step <= 16 * (kWidth + 4); ++step)
+    {
+        const double x = step / 16.0;
+        double& least = x > 6 && x < kWidth - 6 ? middle : edge;
+        least = std::min(least, groundVisibility(ground, slope, blurred, x));
+    }
+    // A hundredth is nothing that anyone sees.
+    Comparison comparison(what);
+    comparison.expect(std::min(edge, middle), middle, 0.01, "slope " + std::to_string(slope));
     return comparison.passed();
 }
 

@@ -41,6 +41,18 @@ Blur blurOfPart();
 // bits: of the sampler's position between texels. The target was 0 before.
 bool compareBlur(const std::string& what, const Blur& blur, const Pixels& source, const Pixels& target, int bits);
 
+// Lit ground, slanted by slope a texel, over the whole map and beyond: what an exponential and a layered map hold.
+enum class Ground
+{
+    Exponential,
+    Layered
+};
+Pixels groundMap(Ground ground, double slope);
+glm::vec4 groundBorder(Ground ground);
+
+// blurred: groundMap. Walks over both edges in 16ths of a texel: nowhere is the ground darker than in the middle.
+bool compareGround(const std::string& what, Ground ground, double slope, const Pixels& blurred);
+
 // A technique as the store pass is told of it, with the exact result for a depth and a slice.
 struct Store
 {

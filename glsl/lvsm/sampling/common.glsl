@@ -8,7 +8,8 @@
 // border within one texel of the level that is read, half of it off the map, and every tap of a wider filter that is
 // off the map takes border. The map's sampler wraps by clamping to its edge and knows nothing of this: a sampler with a
 // border colour would blend twice. Minified maps blend as the nearest level does, whose texels the longer gradient
-// measures.
+// measures. A blur that clamps to the edge instead leaves slanted ground too little variance there, and a dark line of
+// dots, one a texel, on what is lit.
 #ifndef LVSM_SAMPLING_COMMON_GLSL
 #define LVSM_SAMPLING_COMMON_GLSL
 
