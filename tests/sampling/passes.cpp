@@ -132,6 +132,11 @@ bool checkBlur(VulkanContext& context, const Form& form)
         passed = runBlur(context, shading, gaussianBlur()) && passed;
         passed = runBlur(context, shading, boxBlur()) && passed;
         passed = runBlur(context, unrolled, binomialBlur()) && passed;
+        const Shading largest{form, stage, "blur", format + "#define LVSM_BLUR_MAXIMUM\n"};
+        Blur part = largestOfPart();
+        if (stage == Stage::Fragment)
+            part.map = part.region = kWhole;
+        passed = runBlur(context, largest, part) && passed;
     }
     return runBlur(context, {form, Stage::Compute, "blur", format}, blurOfPart()) && passed;
 }

@@ -28,14 +28,16 @@ Vec4 blurred(const Blur& blur, const Pixels& pixels, int x, int y, int slice)
 {
     const int size = blur.kernel.size;
     Vec4 sum(0);
+    Vec4 largest(0);
     for (int k = 0; k < size * size; ++k)
     {
         const int tapX = x + k % size - size / 2;
         const int tapY = y + k / size - size / 2;
         const Vec4 tap = isIn(blur.map, tapX, tapY) ? Vec4(pixels.at(tapX, tapY, slice)) : Vec4(kBorder);
+        largest = glm::max(largest, tap);
         sum += blur.weight(k % size) * blur.weight(k / size) * tap;
     }
-    return sum;
+    return blur.maximum ? largest : sum;
 }
 
 Vec4 twoLayers(double depth, int slice)
@@ -114,6 +116,18 @@ Blur boxBlur()
             {
                 return lvsm::boxWeight(i - 2.0, 3.5);
             }};
+}
+
+Blur largestOfPart()
+{
+    Blur blur{lvsm::boxKernel(5, false), [](int i)
+              {
+                  return lvsm::boxWeight(i - 2.0, 5.0);
+              }};
+    blur.map = {2, 1, 20, 18};
+    blur.region = {4, 1, 18, 15};
+    blur.maximum = true;
+    return blur;
 }
 
 Blur blurOfPart()

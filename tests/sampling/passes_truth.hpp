@@ -27,6 +27,8 @@ struct Blur
     std::function<double(int)> weight;
     lvsm::Rectangle map = kWhole;
     lvsm::Rectangle region = kWhole;
+    // The largest of the taps in place of their weighted sum.
+    bool maximum = false;
 
     lvsm::BlurPasses passes() const { return lvsm::blurPasses(kernel, map, region, kBorder, 0, kSlices); }
 };
@@ -35,6 +37,8 @@ Blur binomialBlur();
 Blur gaussianBlur();
 // A box of fractional width, whose fetches are not paired.
 Blur boxBlur();
+// The largest of 5 x 5 texels, in a rectangle of an atlas.
+Blur largestOfPart();
 // A rectangle of an atlas, and of that a part which has changed.
 Blur blurOfPart();
 

@@ -26,5 +26,5 @@ void main()
 {
     ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(lvsm_region.xy, lvsm_slice);
     if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
-        imageStore(lvsm_target, texel, lvsm_blurredTexel(lvsm_source, texel));
+        imageStore(lvsm_target, texel, LVSM_BLUR_TEXEL(lvsm_source, texel));
 }

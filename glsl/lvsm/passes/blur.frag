@@ -16,5 +16,5 @@ layout(location = 0) out vec4 lvsm_result;
 
 void main()
 {
-    lvsm_result = lvsm_blurredTexel(lvsm_source, ivec3(ivec2(gl_FragCoord.xy), lvsm_slice));
+    lvsm_result = LVSM_BLUR_TEXEL(lvsm_source, ivec3(ivec2(gl_FragCoord.xy), lvsm_slice));
 }

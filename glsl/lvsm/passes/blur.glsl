@@ -89,4 +89,26 @@ vec4 lvsm_blurredTexel(LVSM_HIGHP sampler2DArray source, ivec3 texel)
     return sum + empty * lvsm_border;
 }
 
+// Where LVSM_BLUR_MAXIMUM is defined, the passes find the largest of the texels under the kernel, each component for
+// itself, as the Z-Max test of ESM needs. The kernel is not paired, such as boxKernel(5, false), and its weights are not
+// read.
+vec4 lvsm_largestTexel(LVSM_HIGHP sampler2DArray source, ivec3 texel)
+{
+    vec4 largest = lvsm_border;
+    for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
+    {
+        ivec2 place = texel.xy + ivec2(lvsm_blurTap(fetch).x * lvsm_direction);
+        bool isOn = all(greaterThanEqual(place, lvsm_map.xy)) && all(lessThan(place, lvsm_map.zw));
+        vec4 found = isOn ? texelFetch(source, ivec3(place, texel.z), 0) : lvsm_border;
+        largest = fetch == 0 ? found : max(largest, found);
+    }
+    return largest;
+}
+
+#ifdef LVSM_BLUR_MAXIMUM
+#define LVSM_BLUR_TEXEL lvsm_largestTexel
+#else
+#define LVSM_BLUR_TEXEL lvsm_blurredTexel
+#endif
+
 #endif

@@ -99,15 +99,37 @@ float4 lvsm_blurredTexel(int3 texel)
     return sum + empty * lvsm_border;
 }
 
+// Where LVSM_BLUR_MAXIMUM is defined, the passes find the largest of the texels under the kernel, each component for
+// itself, as the Z-Max test of ESM needs. The kernel is not paired, such as boxKernel(5, false), and its weights are not
+// read.
+float4 lvsm_largestTexel(int3 texel)
+{
+    float4 largest = lvsm_border;
+    for (int fetch = 0; fetch < LVSM_BLUR_FETCHES; ++fetch)
+    {
+        int2 place = texel.xy + int2(lvsm_blurTap(fetch).x * lvsm_direction);
+        bool isOn = all(place >= lvsm_map.xy) && all(place < lvsm_map.zw);
+        float4 found = isOn ? lvsm_source.Load(int4(place, texel.z, 0)) : lvsm_border;
+        largest = fetch == 0 ? found : max(largest, found);
+    }
+    return largest;
+}
+
+#ifdef LVSM_BLUR_MAXIMUM
+#define LVSM_BLUR_TEXEL lvsm_largestTexel
+#else
+#define LVSM_BLUR_TEXEL lvsm_blurredTexel
+#endif
+
 [numthreads(8, 8, 1)]
 void lvsm_blurCompute(uint3 id : SV_DispatchThreadID)
 {
     int3 texel = int3(id) + int3(lvsm_region.xy, lvsm_slice);
     if (texel.x < lvsm_region.z && texel.y < lvsm_region.w)
-        lvsm_target[uint3(texel)] = lvsm_blurredTexel(texel);
+        lvsm_target[uint3(texel)] = LVSM_BLUR_TEXEL(texel);
 }
 
 float4 lvsm_blurPixel(float4 position : SV_Position) : SV_Target
 {
-    return lvsm_blurredTexel(int3(int2(position.xy), lvsm_slice));
+    return LVSM_BLUR_TEXEL(int3(int2(position.xy), lvsm_slice));
 }
