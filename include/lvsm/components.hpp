@@ -344,7 +344,7 @@ Mixture<T> mixtureOfTaps(const glm::vec<4, T, Q>& depths, const glm::vec<4, T, Q
                          int count)
 {
     Mixture<T> mixture{};
-    for (int i = 0; i < 4; ++i)
+    for (glm::length_t i = 0; i < 4; ++i)
         insertComponent(mixture, moveComponent(tapComponent(depths[i]), glm::vec<2, T>(x[i], y[i]), T(0.25)), count);
     return mixture;
 }

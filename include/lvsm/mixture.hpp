@@ -297,7 +297,7 @@ glm::vec<4, std::uint32_t> encodeMixture4(const Mixture<T>& mixture, T deviation
         shares = shares + weight;
         places = {places.x + weight * place.x, places.y + weight * place.y};
         code.x = code.x | detail::spreadBits(c.spread, sigma) << (16 + 4 * i);
-        code[i] = detail::planeBits(c, place, detail::kPlaneCode4<T>) | share << 20 | x << 24 | y << 28;
+        code[static_cast<glm::length_t>(i)] = detail::planeBits(c, place, detail::kPlaneCode4<T>) | share << 20 | x << 24 | y << 28;
     }
     const glm::vec<2, T> first = detail::heaviestPlace(places, detail::heaviestWeight(shares), sigma);
     code.x = code.x | detail::planeBits(m.components[0], first, detail::kPlaneCode4<T>);
@@ -412,9 +412,10 @@ MixturePlanes<T> decodeMixture4(const glm::vec<4, std::uint32_t>& code, T deviat
     m.planes[0] = detail::planeOfBits(code.x, detail::kPlaneCode4<T>, sigma);
     for (int i = 1; i < 4; ++i)
     {
-        m.planes[i] = detail::planeOfBits(code[i], detail::kPlaneCode4<T>, sigma);
-        detail::placePlane(m.planes[i], detail::field(code[i], 20, 4), i,
-                           {detail::field(code[i], 24, 4), detail::field(code[i], 28, 4)},
+        const std::uint32_t word = code[static_cast<glm::length_t>(i)];
+        m.planes[i] = detail::planeOfBits(word, detail::kPlaneCode4<T>, sigma);
+        detail::placePlane(m.planes[i], detail::field(word, 20, 4), i,
+                           {detail::field(word, 24, 4), detail::field(word, 28, 4)},
                            detail::field(code.x, 16 + 4 * i, 4), sigma);
     }
     detail::completePlanes(m, 4, sigma);

@@ -368,5 +368,87 @@ TEST_CASE("the tree's mixture has the window's first two moments")
     }
 }
 
+// Any members, or those that they count as.
+MixtureComponent<double> wildComponent(Random& random, bool isClamped)
+{
+    const auto member = [&](double low, double high)
+    {
+        const double wild = (random.between(0, 2) - 1) * 3.0 * high + random.unit<double>() * high;
+        return isClamped ? std::min(high, std::max(low, wild)) : wild;
+    };
+    MixtureComponent<double> c{};
+    c.weight = member(0, 1);
+    c.place = {member(-256, 256), member(-256, 256)};
+    c.depth = member(0, 1);
+    c.spread = {member(0, 65536), member(-65536, 65536), member(0, 65536)};
+    c.tilt = {member(-256, 256), member(-256, 256)};
+    c.variance = member(0, 1);
+    return c;
+}
+
+bool isSame(const MixtureComponent<double>& a, const MixtureComponent<double>& b)
+{
+    return a.weight == b.weight && a.place == b.place && a.depth == b.depth && a.spread == b.spread &&
+           a.tilt == b.tilt && a.variance == b.variance;
+}
+
+TEST_CASE("members outside their ranges count as the ends of these")
+{
+    Tally tally;
+    for (unsigned seed = 0; seed < 2000; ++seed)
+    {
+        Random first(seed);
+        Random second(seed);
+        const MixtureComponent<double> a = wildComponent(first, false), b = wildComponent(first, false);
+        const MixtureComponent<double> c = wildComponent(second, true), d = wildComponent(second, true);
+        tally.claim(isSame(mergeComponents(a, b), mergeComponents(c, d)), seed);
+        tally.claim(mergePrice(a, b) == mergePrice(c, d) && std::abs(mergePrice(a, b)) <= 1.0, seed);
+        tally.claim(componentSlope(a) == componentSlope(c), seed);
+        tally.claim(std::abs(componentSlope(a).x) <= 1.0 && std::abs(componentSlope(a).y) <= 1.0, seed);
+        tally.claim(componentResidual(a, Vec2<double>(3.0, -3.0)) == componentResidual(c, Vec2<double>(1.0, -1.0)),
+                    seed);
+        tally.claim(isSame(moveComponent(a, Vec2<double>(-400.0, 400.0), -2.0),
+                           moveComponent(c, Vec2<double>(-256.0, 256.0), 0.0)),
+                    seed);
+        Mixture<double> wild{{a, b, a, b}};
+        Mixture<double> tame{{c, d, c, d}};
+        insertComponent(wild, b, 9);
+        insertComponent(tame, d, 4);
+        simplifyMixture(wild, 9);
+        simplifyMixture(tame, 4);
+        for (int i = 0; i < 4; ++i)
+            tally.claim(isSame(wild.components[i], tame.components[i]), seed, i);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("components beyond the count are neither read nor changed")
+{
+    const MixtureComponent<double> beyond = tap(0.5, 1.0, 1.0, 0.9);
+    Mixture<double> mixture{{tap(0.25, 0.0, 0.0, 0.1), tap(0.25, 0.0, 0.0, 0.6), beyond, beyond}};
+    insertComponent(mixture, tap(0.25, 0.0, 0.0, 0.65), 2);
+    CHECK(mixture.components[1].weight == 0.5);
+    simplifyMixture(mixture, 2);
+    CHECK(mixture.components[0].weight == 0.25);
+    CHECK(mixture.components[1].weight == 0.5);
+    CHECK(isSame(mixture.components[2], beyond));
+    CHECK(isSame(mixture.components[3], beyond));
+}
+
+TEST_CASE("simplifyMixture sees the whole where no pair shows it: rough taps at the corners of a steep plane")
+{
+    Mixture<double> mixture{};
+    int i = 0;
+    for (const Vec2<double> at : {Vec2<double>(1, 1), Vec2<double>(-1, 1), Vec2<double>(1, -1), Vec2<double>(-1, -1)})
+    {
+        mixture.components[i] = tap(0.25, at.x, at.y, 0.5 + 0.03 * at.x);
+        mixture.components[i++].variance = 1.0e-4;
+    }
+    CHECK(mergePrice(mixture.components[0], mixture.components[1]) > 1.0e-4);
+    simplifyMixture(mixture, 4);
+    CHECK(mixture.components[0].weight == 1.0);
+    CHECK(mixture.components[1].weight == 0.0);
+}
+
 } // namespace
 } // namespace lvsm::unit

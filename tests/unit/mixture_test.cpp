@@ -521,5 +521,85 @@ TEST_CASE_TEMPLATE("any bits are a code, and any numbers a receiver, NaN and inf
     LVSM_CHECK_TALLY(tally);
 }
 
+TEST_CASE("a plane is coded at its coded place, so that rounding of the place does not move it")
+{
+    Random random(916);
+    Tally tally;
+    for (int i = 0; i < 2000; ++i)
+    {
+        Mixture<double> m{};
+        for (int k = 0; k < 4; ++k)
+        {
+            MixtureComponent<double>& c = m.components[k];
+            c = flatComponent(k == 0 ? 0.55 : 0.1 + 0.01 * k, 0.3 + 0.4 * random.unit<double>());
+            c.place = {2.0 * random.unit<double>() - 1.0, 2.0 * random.unit<double>() - 1.0};
+            c.spread = {1.0, 0.0, 1.0};
+            c.tilt = {0.05 * random.unit<double>(), -0.05 * random.unit<double>()};
+            c.variance = 0.01;
+        }
+        const auto check = [&](const MixturePlanes<double>& planes, int count)
+        {
+            for (int k = 0; k < count; ++k)
+            {
+                // Lighter ones are coded by weight: 3, 2, 1 of four, and 1 of two.
+                const MixtureComponent<double>& c = m.components[k == 0 || count == 2 ? k : 4 - k];
+                MixtureComponent<double> whole = c;
+                double sum = 0.0;
+                for (int j = 0; j < count; ++j)
+                    sum += m.components[j].weight;
+                whole.weight = c.weight / sum;
+                const Vec2<double> g = componentSlope(whole);
+                const MixturePlane<double>& p = planes.planes[k];
+                const double depth = c.depth + g.x * (p.place.x - c.place.x) + g.y * (p.place.y - c.place.y);
+                tally.claim(std::abs(p.depth - depth) <= 0.5 * kDepthStep + 1e-12, k, count, p.depth, depth);
+            }
+        };
+        check(decodeMixture4(encodeMixture4(m, 1.2), 1.2), 4);
+        check(decodeMixture2(encodeMixture2(m, 1.2), 1.2), 2);
+        // Shares are relative to their sum.
+        Mixture<double> half = m;
+        for (MixtureComponent<double>& c : half.components)
+            c.weight *= 0.5;
+        tally.claim(encodeMixture4(half, 1.2) == encodeMixture4(m, 1.2), i);
+        tally.claim(encodeMixture2(half, 1.2) == encodeMixture2(m, 1.2), i);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("each plane of a code has its own spread")
+{
+    const MixturePlanes<double> m = decodeMixture4(Code4(0x95200000u, 0u, 0u, 0u), 1.0);
+    CHECK(m.planes[1].spread == Vec3<double>(1.0, 0.0, 0.3 * 0.3)); // 2, 0
+    CHECK(m.planes[2].spread.x == doctest::Approx(0.65 * 0.65));    // 1, 1
+    CHECK(m.planes[2].spread.z == doctest::Approx(0.65 * 0.65));
+    CHECK(m.planes[3].spread.x == doctest::Approx(0.65 * 0.65)); // 1, 2
+    CHECK(m.planes[3].spread.z == 1.0);
+}
+
+TEST_CASE("a receiver outside its ranges, and a plane outside its own, count as the ends of these")
+{
+    MixturePlane<double> wild = {3.0, {400.0, -400.0}, -2.0, {2.0, -2.0}, {-1.0, 5.0}, {-1.0, 1.0e9, 1.0e9}, 7.0};
+    MixturePlane<double> tame = {1.0, {256.0, -256.0}, 0.0, {1.0, -1.0}, {0.0, 1.0}, {0.0, 65536.0, 65536.0}, 1.0};
+    for (int side = 0; side < 2; ++side)
+    {
+        const double s = side == 0 ? 1.0 : -1.0;
+        const Vec2<double> far(40.0 * s, -40.0 * s), near(16.0 * s, -16.0 * s), steep(2.0 * s, -3.0 * s), slope(s, -s);
+        const double depth = side == 0 ? 1.0 : 0.0;
+        CHECK(planeWeight(wild, far, 1.0e3 * s) == planeWeight(tame, near, side == 0 ? 64.0 : 0.25));
+        CHECK(planeLight(wild, far, 2.0 * s, steep, 1.0e3 * s, 5.0 * s) ==
+              planeLight(tame, near, depth, slope, side == 0 ? 64.0 : 0.25, depth));
+        for (const std::uint32_t word : {0x12345678u, 0x9ABCDEF0u, 0x0F0F0F0Fu})
+        {
+            const Code4 code(word, word * 3u, word * 5u, word * 7u);
+            CHECK(mixtureVisibility4(code, far, 2.0 * s, steep, 1.0e3 * s, 5.0 * s) ==
+                  mixtureVisibility4(code, near, depth, slope, side == 0 ? 64.0 : 0.25, depth));
+            CHECK(mixtureOccluder4(code, far, 2.0 * s, steep, 1.0e3 * s, 5.0 * s) ==
+                  mixtureOccluder4(code, near, depth, slope, side == 0 ? 64.0 : 0.25, depth));
+        }
+        wild = {-3.0, {-400.0, 400.0}, 2.0, {-2.0, 2.0}, {5.0, -1.0}, {1.0e9, -1.0e9, -1.0}, -7.0};
+        tame = {0.0, {-256.0, 256.0}, 1.0, {-1.0, 1.0}, {1.0, 0.0}, {65536.0, -65536.0, 0.0}, 0.0};
+    }
+}
+
 } // namespace
 } // namespace lvsm::unit
