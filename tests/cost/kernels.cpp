@@ -182,12 +182,43 @@ float tapDepth(float depth, vec2 gradient, int tap)
     return lvsm_planeDepth(depth, gradient, vec2((tap & 1) == 0 ? -0.5 : 0.5, (tap & 2) == 0 ? -0.5 : 0.5));
 }
 float mean4(float a, float b, float c, float d) { return 0.25 * (a + b + c + d); }
+// Binomial weights of 7 and of 15, with a 0 at each end.
+const float kernel7[17] = float[](0.0, 0.015625, 0.09375, 0.234375, 0.3125, 0.234375, 0.09375, 0.015625, 0.0,
+                                  0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+const float kernel15[17] = float[](0.0, 6.1035e-5, 8.5449e-4, 5.5542e-3, 2.2217e-2, 6.1096e-2, 0.12219, 0.18329,
+                                   0.20947, 0.18329, 0.12219, 6.1096e-2, 2.2217e-2, 5.5542e-3, 8.5449e-4, 6.1035e-5,
+                                   0.0);
+float pcfWindow(const int gathers, const float weights[17], float depth, vec2 gradient)
+{
+    vec2 f = fract(vec2(depth) * vec2(1024.0, 777.0));
+    float across[16];
+    [[unroll]] for (int i = 0; i < 2 * gathers; ++i)
+        across[i] = mix(weights[i + 1], weights[i], f.x);
+    float sum = 0.0;
+    float corner = depth - bias + dot(gradient, vec2(1 - gathers) - f);
+    [[unroll]] for (int y = 0; y < gathers; ++y)
+    {
+        vec2 rows = vec2(0.0);
+        [[unroll]] for (int x = 0; x < gathers; ++x)
+        {
+            vec4 depths = texel(y * gathers + x);
+            float own = corner + gradient.x * float(2 * x) + gradient.y * float(2 * y);
+            rows.x += (depths.x >= own ? across[2 * x] : 0.0) + (depths.y >= own + gradient.x ? across[2 * x + 1] : 0.0);
+            own += gradient.y;
+            rows.y += (depths.z >= own ? across[2 * x] : 0.0) + (depths.w >= own + gradient.x ? across[2 * x + 1] : 0.0);
+        }
+        sum += rows.x * mix(weights[2 * y + 1], weights[2 * y], f.y) +
+               rows.y * mix(weights[2 * y + 2], weights[2 * y + 1], f.y);
+    }
+    return sum;
+}
 )";
 
 std::string estimateKernel(int texels, const std::string& statements)
 {
     return R"(#version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 )" + std::string(kLibrary) +
            kTotals + "#define TEXELS " + std::to_string(texels) + R"(u
 layout(local_size_x = 64) in;

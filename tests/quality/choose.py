@@ -14,61 +14,27 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 COSTS = ROOT / "tests/cost/recorded.json"
 ESTIMATES = ROOT / "tests/cost/estimates.def"
 TARGET = "GFX1100"
-BUDGETS = [32, 64, 128, 256]
+BUDGETS = recorded.BUDGETS
 MEAN = recorded.MEAN
-
-# The whole estimate in tests/cost/estimates.def that a technique is judged by: what stores fewer bits or is placed
-# otherwise runs the same instructions. A technique that matches nothing here has no cost.
-ESTIMATE_OF = [
-    (r"VSM r.*", "VSM"),
-    (r"EVSM([24]) .*", r"EVSM\1"),
-    (r"ESM .*", "ESM"),
-    (r"CSM-(\d+) .*", r"CSM \1 terms"),
-    (r"MSM4 rgba32f", "MSM4"),
-    (r"MSM4 rgba32f, 4 taps", "MSM4 4 taps"),
-    (r"MSM4 unorm(8|16)", "MSM4 16-bit"),
-    (r"MSM4 unorm16, 4 taps", "MSM4 16-bit 4 taps"),
-    (r"MSM4 x 2 layers .*", "MSM4 x 2 16-bit"),
-    (r"MSM4 x 4 layers .*", "MSM4 x N 16-bit"),
-    (r"LVSM-\d+ .* paper, uniform", "LVSM one placed layer"),
-    (r"LVSM-2 unorm16 bracketed, uniform", "LVSM-2 bracketed"),
-    (r"LVSM-2 unorm16 bracketed, optimal", "LVSM-2 bracketed and placed"),
-    (r"LVSM-2 unorm16 bounded, uniform", "LVSM-2 bounded"),
-    (r"LVSM-2 unorm8 (bracketed|bounded), uniform", r"LVSM-2 \1 8-bit"),
-    (r"LVSM-2 unorm8 plane, (uniform|optimal)", "LVSM-2 plane 8-bit"),
-    (r"LVSM-2 unorm8 plane, optimal, 4 taps", "LVSM-2 plane 8-bit 4 taps"),
-    (r"LVSM-\d+ unorm16 bracketed, .*", "LVSM-N bracketed and placed"),
-    (r"LVSM-\d+ unorm16 bounded, .*", "LVSM-N bounded"),
-    (r"LVSM-\d+ unorm8 (bracketed|bounded), .*", r"LVSM-N \1 8-bit"),
-    (r"LVSM-\d+ unorm8 plane, (uniform|optimal)", "LVSM-N plane 8-bit"),
-    (r"LVSM-\d+ unorm8 plane, optimal, 4 taps", "LVSM-N plane 8-bit 4 taps"),
-]
-
-
-def estimate_of(technique):
-    for pattern, estimate in ESTIMATE_OF:
-        match = re.fullmatch(pattern, technique)
-        if match:
-            return match.expand(estimate)
-    return None
 
 
 def add_costs(techniques):
+    """The cost of a technique is that of its estimate in tests/cost/estimates.def, times how often it is made."""
     rows = json.loads(COSTS.read_text())["rows"]
     costs = {row["name"]: row for row in rows if row["target"] == TARGET}
     fetches = dict(re.findall(r"^ESTIMATE\(([^,]+), (\d+),", ESTIMATES.read_text(), re.MULTILINE))
     for technique in techniques:
-        estimate = estimate_of(technique["name"])
         technique["cost"] = None
-        if estimate is None:
+        estimate, decisions = technique["estimate"], technique["decisions"]
+        if estimate == "":
             continue
-        if estimate not in fetches:
-            raise SystemExit(f"{ESTIMATES} has no estimate '{estimate}', which '{technique['name']}' is judged by")
+        if estimate not in costs:
+            raise SystemExit(f"{COSTS} has no estimate '{estimate}', which '{technique['name']}' is judged by")
         row = costs[estimate]
-        technique["instructions"] = row["instructions"]
-        technique["arithmetic"] = row["inverse_throughput"]
-        technique["cost"] = row["inverse_throughput"] + row["load_inverse_throughput"]
-        technique["fetches"] = int(fetches[estimate])
+        technique["instructions"] = decisions * row["instructions"]
+        technique["arithmetic"] = decisions * row["inverse_throughput"]
+        technique["cost"] = decisions * (row["inverse_throughput"] + row["load_inverse_throughput"])
+        technique["fetches"] = decisions * int(fetches[estimate])
 
 
 def dominated(technique, others, axes):
@@ -108,11 +74,11 @@ def mark_fronts(techniques):
 
 
 @functools.cache
-def techniques():
+def techniques(wide=False):
     """All of them by bits and error, with what they cost and the fronts that they are on."""
     found = []
-    for technique in recorded.techniques():
-        errors = {column: round(recorded.rmse(technique["name"], column), 4) for column in recorded.COLUMNS}
+    for technique in recorded.techniques(wide=wide):
+        errors = {column: round(recorded.rmse(technique["name"], column, wide), 4) for column in recorded.COLUMNS}
         found.append({**technique, "errors": errors})
     found.sort(key=lambda t: (t["bits"], error_of(t), t["name"]))
     add_costs(found)
@@ -123,6 +89,8 @@ def techniques():
 def full_table():
     lines = [["technique", "whose", "bits", *recorded.COLUMNS, "instr.", "inv. thr.", "with loads", "fetches", "front"]]
     for t in techniques():
+        if (t["taps"], t["resolution"]) != (1, 1) and not t["fronts"]:
+            continue
         cost = ["-"] * 4 if t["cost"] is None else [
             str(t[key]) for key in ("instructions", "arithmetic", "cost", "fetches")]
         name = f"**{t['name']}**" if t["fronts"] else t["name"]
@@ -139,12 +107,29 @@ def shown(technique):
     return "-" if technique is None else f"{technique['name']}: {error_of(technique):.4f}"
 
 
+def one_tap(technique):
+    """Whether it is filtered and judged once."""
+    return technique["filtered"] and technique["taps"] == 1
+
+
 def bits_table():
-    lines = [["bits at most", "least error", "least error of a peer", "least error with one sample"]]
+    lines = [["bits at most", "ours, one tap", "a filtered peer, one tap", "ours, any taps", "a peer, any taps or PCF"]]
     for bits in BUDGETS:
         within = [t for t in techniques() if t["bits"] <= bits]
-        lines.append([str(bits), shown(best(within)), shown(best([t for t in within if t["peer"]])),
-                      shown(best([t for t in within if "taps" not in t["name"]]))])
+        ours, peers = ([t for t in within if t["peer"] == peer] for peer in (False, True))
+        lines.append([str(bits), *(shown(best([t for t in found if any_ or one_tap(t)]))
+                                   for any_ in (False, True) for found in (ours, peers))])
+    return lines
+
+
+def wide_table():
+    """At some costs, bits included in none."""
+    lines = [["cost at most", "ours", "a peer, PCF included", "ours over the peer"]]
+    costed = [t for t in techniques(wide=True) if t["cost"] is not None]
+    for cost in (64, 128, 256, 512, 1024, 2048):
+        ours, peer = (best([t for t in costed if t["cost"] <= cost and t["peer"] == whose]) for whose in (False, True))
+        both = ours is not None and peer is not None
+        lines.append([str(cost), shown(ours), shown(peer), f"{error_of(ours) / error_of(peer):.2f}" if both else "-"])
     return lines
 
 
@@ -167,7 +152,7 @@ STYLES = {32: ("#c05000", "circle"), 64: ("#0a80c0", "square"), 128: ("#0a9060",
           256: ("#b86aa0", "diamond")}
 WIDTH, HEIGHT = 960, 620
 LEFT, RIGHT, TOP, BOTTOM = 70, 940, 40, 560
-COST_AXIS = (40.0, 1000.0)
+COST_AXIS = (40.0, 2000.0)
 ERROR_AXIS = (0.035, 0.36)
 
 
@@ -196,7 +181,7 @@ def text(x, y, words, anchor="start", extra=""):
 
 def axes():
     parts = ""
-    for cost in (50, 75, 100, 150, 200, 300, 500, 800):
+    for cost in (50, 75, 100, 150, 200, 300, 500, 800, 1200, 2000):
         x = place_x(cost)
         parts += f'<line x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{BOTTOM}"/>\n' + text(x, BOTTOM + 18, cost, "middle")
     for error in (0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2, 0.3):
@@ -248,7 +233,7 @@ def labels(techniques):
 
 
 def picture():
-    costed = [t for t in techniques() if t["cost"] is not None]
+    costed = [t for t in techniques() if t["cost"] is not None and t["cost"] <= COST_AXIS[1]]
     marks = "".join(mark(place_x(cost_of(t)), place_y(error_of(t)), t["bits"], t["peer"]) for t in costed)
     fronts = "".join(front_line(costed, bits) for bits in BUDGETS)
     return f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}">

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-SMALL = ["--size", "48", "--kernel", "5", "--techniques", "VSM rg16,MSM4 unorm16"]
+SMALL = ["--size", "48", "--width", "5", "--techniques", "VSM rg16,MSM4 unorm16"]
 
 
 def run(program, *options):
@@ -26,7 +26,7 @@ def main():
         wrong = {
             "--scenes": ["--scenes", "moon"],
             "--techniques": ["--techniques", "magic"],
-            "--kernel": ["--kernel", "4"],
+            "--width": ["--width", "4"],
             "--size": ["--size", "many"],
             "--output": ["--output", folder, *SMALL, "--scenes", "fence"],
             "/nowhere.obj": ["--model", "/nowhere.obj"],
@@ -46,7 +46,8 @@ def main():
             rows = json.load(file)
         assert {row["scene"] for row in rows} == {"fence", "street-oblique"}
         for row in rows:
-            for key in ("technique", "peer", "bits", "scene", "seed", "rmse", "bleed", "dark", "p99"):
+            for key in ("technique", "peer", "bits", "scene", "seed", "rmse", "bleed", "dark", "p99", "width",
+                        "footprint", "stretch", "taps", "resolution", "texel_bits", "calm", "cost"):
                 assert key in row, key
             assert row["seed"] == 4 and 0 <= row["rmse"] <= 1
         assert sum(name.endswith(".png") for name in os.listdir(folder)) == len(rows)

@@ -8,28 +8,41 @@ def line(name, shown=None):
     return [shown or name, *(f"{rmse(name, column):.4f}" for column in COLUMNS)]
 
 
-def ratio_line(what, ours, peer):
-    return [f"**{what}: {ours} / {peer}**", *(f"{ratio(ours, peer, column):.2f}" for column in COLUMNS)]
+LIMIT = "limit: exact, receiver's plane"
 
 
-def best(techniques, peer, taps):
-    found = [t["name"] for t in techniques if t["peer"] == peer and t["taps"] <= taps]
-    return min(found, key=rmse, default=None)
+def best(techniques):
+    return min((t["name"] for t in techniques), key=rmse, default=None)
+
+
+def against(what, ours, peer):
+    """The best of ours over the best peer, in how many scenes it wins, and the share of the gap to the limit closed."""
+    scenes = {scene: ratio(ours, peer, scene) for scene in recorded.technique_scenes()}
+    worst = max(scenes, key=scenes.get)
+    won = sum(value < 1 for value in scenes.values())
+    gaps = {column: rmse(peer, column) - rmse(LIMIT, column) for column in COLUMNS}
+    closed = [f"{(rmse(peer, column) - rmse(ours, column)) / gap:.2f}" if gap > 1e-3 else "-"
+              for column, gap in gaps.items()]
+    return [[f"**{what}: {ours} / {peer}**; wins {won} of {len(scenes)}, worst {worst} {scenes[worst]:.2f}",
+             *(f"{ratio(ours, peer, column):.2f}" if rmse(peer, column) > 1e-3 else "-" for column in COLUMNS)],
+            ["of the gap to the limit it closes", *closed]]
 
 
 def results(bits):
-    """Those of so many bits by error; then the best of ours over the best peer at no more bits, one tap and any."""
+    """Those of so many bits with one tap, and the three best of the other variants; then ours against the peers."""
     def table():
-        here = [t for t in recorded.techniques() if t["bits"] == bits]
+        here = sorted((t for t in recorded.techniques() if t["bits"] == bits), key=lambda t: rmse(t["name"]))
+        others = [t for t in here if (t["taps"], t["resolution"]) != (1, 1)]
         lines = [[f"{bits} bits", *COLUMNS]]
-        for t in sorted(here, key=lambda t: rmse(t["name"])):
-            lines.append(line(t["name"], t["name"] + (" (peer)" if t["peer"] else "")))
+        for t in here:
+            if t not in others or t in others[:3] or t in [o for o in others if not o["peer"]][:3]:
+                lines.append(line(t["name"], t["name"] + (" (peer)" if t["peer"] else "")))
         within = [t for t in recorded.techniques() if t["bits"] <= bits]
-        pairs = [(best(here, False, taps), best(within, True, taps)) for taps in (1, 1000)]
-        if all(pairs[0]):
-            lines.append(ratio_line("one tap", *pairs[0]))
-        if all(pairs[1]) and pairs[1] != pairs[0]:
-            lines.append(ratio_line("any taps", *pairs[1]))
+        for what, wanted in (("one tap", choose.one_tap), ("anything", lambda t: True)):
+            ours = best([t for t in here if not t["peer"] and wanted(t)])
+            peer = best([t for t in within if t["peer"] and wanted(t)])
+            if ours and peer:
+                lines += against(what, ours, peer)
         return lines
 
     return table
@@ -55,8 +68,8 @@ def groups():
     return lines
 
 
-def ratio(ours, peer, column=MEAN):
-    return rmse(ours, column) / max(rmse(peer, column), 1.0e-9)
+def ratio(ours, peer, column=MEAN, wide=False):
+    return rmse(ours, column, wide) / max(rmse(peer, column, wide), 1.0e-9)
 
 
 def ratios(ours, peer):
@@ -76,7 +89,8 @@ def peers_of(bits):
 
 TABLES = {"quality.limits": limits, "quality.groups": groups,
           **{f"quality.bits{bits}": results(bits) for bits in choose.BUDGETS},
-          "choose.bits": choose.bits_table, "choose.cost": choose.cost_table, "choose.all": choose.full_table}
+          "choose.bits": choose.bits_table, "choose.wide": choose.wide_table, "choose.cost": choose.cost_table,
+          "choose.all": choose.full_table}
 NAMES = {"rmse": rmse, "ratio": ratio, "ratios": ratios, "share_of": share_of, "peers_of": peers_of,
          "columns": COLUMNS, "seed": recorded.whole()["seed"]}
 FILES = {"docs/choose.svg": choose.picture}

@@ -56,12 +56,40 @@ double deviationOf(const std::vector<double>& kernel)
     return std::sqrt(variance);
 }
 
+ShiftedKernel::ShiftedKernel(const std::vector<double>& kernel, float offset)
+    : m_first(static_cast<int>(std::floor(offset)) - static_cast<int>(kernel.size()) / 2), m_weights(kernel.size() + 1)
+{
+    const double fraction = static_cast<double>(offset - std::floor(offset));
+    for (std::size_t i = 0; i < kernel.size(); ++i)
+    {
+        m_weights[i] += (1.0 - fraction) * kernel[i];
+        m_weights[i + 1] += fraction * kernel[i];
+    }
+}
+
 void blur(Image& image, const std::vector<double>& kernel, Format format)
 {
     const std::vector<float> weights(kernel.begin(), kernel.end());
     Image between(image.size(), image.channels());
     pass(image, between, weights, 1, 0, format);
     pass(between, image, weights, 0, 1, format);
+}
+
+Image halved(const Image& image)
+{
+    Image half(image.size() / 2, image.channels());
+    for (int y = 0; y < half.size(); ++y)
+    {
+        for (int x = 0; x < half.size(); ++x)
+        {
+            for (int c = 0; c < image.channels(); ++c)
+            {
+                half.texel(x, y)[c] = 0.25f * (image.texel(2 * x, 2 * y)[c] + image.texel(2 * x + 1, 2 * y)[c] +
+                                               image.texel(2 * x, 2 * y + 1)[c] + image.texel(2 * x + 1, 2 * y + 1)[c]);
+            }
+        }
+    }
+    return half;
 }
 
 } // namespace lvsm::quality

@@ -15,8 +15,27 @@ std::vector<double> binomialKernel(int width);
 /// Standard deviation of a kernel, in texels.
 double deviationOf(const std::vector<double>& kernel);
 
+/// A kernel whose centre is between texels, as a bilinear sample of a filtered map weighs them: one texel wider.
+class ShiftedKernel
+{
+public:
+    /// offset: of the centre, in texels, from a texel's.
+    ShiftedKernel(const std::vector<double>& kernel, float offset);
+
+    int first() const { return m_first; }
+    int last() const { return m_first + static_cast<int>(m_weights.size()) - 1; }
+    double weight(int texel) const { return m_weights[static_cast<std::size_t>(texel - m_first)]; }
+
+private:
+    int m_first;
+    std::vector<double> m_weights;
+};
+
 /// Separable filter; both passes store what they make. At the border the last texel repeats.
 void blur(Image& image, const std::vector<double>& kernel, Format format);
+
+/// A texel for 2 x 2 of an image of even size: their mean.
+Image halved(const Image& image);
 
 } // namespace lvsm::quality
 

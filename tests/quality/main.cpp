@@ -20,20 +20,25 @@ namespace
 struct Options
 {
     unsigned seed = 1;
-    int size = 384;
-    int kernel = 7;
+    int size = 256;
+    std::vector<int> widths = {7};
+    std::size_t receivers = 8000;
+    bool centred = false;
+    bool eachPass = false;
+    bool oneTap = false;
     std::vector<std::string> techniques;
     std::vector<std::string> scenes;
     std::string model;
+    std::string costs = "tests/cost/recorded.json";
     std::string output = "build/reports/quality.json";
     std::string pictures;
 };
 
-/// A scene that can be made when its turn comes.
+/// The lights of a world, or two seeds of a scene, the second of which only the settings are chosen on.
 struct Plan
 {
-    std::string name;
-    std::function<Scene()> make;
+    std::vector<std::string> reported;
+    std::function<std::vector<Scene>()> make;
 };
 
 bool contains(const std::string& name, const std::vector<std::string>& parts)
@@ -86,38 +91,64 @@ support::Result<std::vector<Plan>> planScenes(const Options& options)
     {
         if (modelAlone || !contains(name, options.scenes))
             continue;
-        plans.push_back({name, [=]
+        plans.push_back({{name},
+                         [=]
                          {
-                             return layeredScene(name, options.size, options.seed);
+                             std::vector<Scene> seeds;
+                             seeds.push_back(layeredScene(name, options.size, options.seed));
+                             seeds.push_back(layeredScene(name, options.size, options.seed + 1));
+                             seeds.back().name += " of another seed";
+                             return seeds;
                          }});
     }
     for (const std::string& name : worlds)
     {
         if (modelAlone && name != "model")
             continue;
-        std::shared_ptr<Mesh> mesh;
+        Plan plan;
         for (const std::string& light : lightNames())
         {
-            const std::string sceneName = name + "-" + light;
-            if (!contains(sceneName, options.scenes))
-                continue;
-            if (mesh == nullptr)
-            {
-                support::Result<Mesh> made = name == "model" ? modelWorld(options.model) : world(name, options.seed);
-                if (!made)
-                    return support::Failure{made.error()};
-                mesh = std::make_shared<Mesh>(std::move(*made));
-            }
-            plans.push_back({sceneName, [=]
-                             {
-                                 return meshScene(name, *mesh, light, options.size);
-                             }});
+            if (contains(name + "-" + light, options.scenes))
+                plan.reported.push_back(name + "-" + light);
         }
+        if (plan.reported.empty())
+            continue;
+        support::Result<Mesh> made = name == "model" ? modelWorld(options.model) : world(name, options.seed);
+        if (!made)
+            return support::Failure{made.error()};
+        const auto mesh = std::make_shared<Mesh>(std::move(*made));
+        plan.make = [=]
+        {
+            std::vector<Scene> lights;
+            for (const std::string& light : lightNames())
+                lights.push_back(meshScene(name, *mesh, light, options.size));
+            return lights;
+        };
+        plans.push_back(std::move(plan));
     }
     return plans;
 }
 
-support::Result<Run> measure(const Options& options)
+/// The scenes with what is measured in them for one width of the filter.
+std::vector<LitScene> litScenes(const std::vector<Scene>& scenes, const Plan& plan, int width, const Options& options)
+{
+    constexpr std::size_t kPairs = 2000;
+    const std::vector<double> kernel = binomialKernel(width);
+    std::vector<LitScene> lights;
+    for (const Scene& scene : scenes)
+    {
+        const bool isReported =
+            std::find(plan.reported.begin(), plan.reported.end(), scene.name) != plan.reported.end();
+        const std::size_t most = options.pictures.empty() ? options.receivers : std::numeric_limits<std::size_t>::max();
+        LitScene light{scene, isReported, receiversOf(scene, kernel, {options.centred, most}), {}};
+        if (isReported)
+            light.pairs = neighboursOf(scene, receiversOf(scene, kernel, {options.centred, kPairs}), kernel);
+        lights.push_back(std::move(light));
+    }
+    return lights;
+}
+
+support::Result<Run> measureAll(const Options& options)
 {
     std::vector<Technique> techniques = allTechniques();
     std::vector<std::string> names;
@@ -137,37 +168,48 @@ support::Result<Run> measure(const Options& options)
     if (!plans)
         return support::Failure{plans.error()};
 
-    const std::vector<double> kernel = binomialKernel(options.kernel);
-    Run run{options.seed, options.size, options.kernel, {}};
+    Run run{options.seed, options.size, {}, readCosts(options.costs)};
+    std::mutex mutex;
+    std::optional<std::string> problem;
+    const Shown picture = [&](const Measurement& measured, const StoredMap& map, const LitScene& light)
+    {
+        const auto technique =
+            std::find_if(techniques.begin(), techniques.end(),
+                         [&](const Technique& t) { return t.name + measured.variant.suffix() == measured.technique; });
+        const std::string path =
+            options.pictures + "/" +
+            fileName(measured.scene + " " + measured.technique + " " + std::to_string(measured.width)) + ".png";
+        const auto failed = writePicture(map, *technique, measured.setting, light, path);
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (failed)
+            problem = failed;
+    };
     for (std::size_t i = 0; i < plans->size(); ++i)
     {
-        const Scene scene = (*plans)[i].make();
-        const std::vector<Receiver> receivers = receiversOf(scene, kernel);
-        std::fprintf(stderr, "[%zu/%zu] %s: %zu receivers\n", i + 1, plans->size(), scene.name.c_str(),
-                     receivers.size());
-        if (receivers.empty())
-            return support::Failure{"scene '" + scene.name + "' has nothing that faces the light"};
-        const std::size_t first = run.measurements.size();
-        run.measurements.resize(first + techniques.size());
-        std::mutex mutex;
-        std::optional<std::string> problem;
-        parallelFor(techniques.size(),
-                    [&](std::size_t t)
-                    {
-                        const Judge judge(techniques[t], scene, receivers, kernel);
-                        Measurement& measured = run.measurements[first + t];
-                        measured = judge.measure();
-                        if (options.pictures.empty())
-                            return;
-                        const std::string path =
-                            options.pictures + "/" + fileName(scene.name + " " + measured.technique) + ".png";
-                        const auto failed = writePicture(judge, measured.setting, scene, receivers, path);
-                        const std::lock_guard<std::mutex> lock(mutex);
-                        if (failed)
-                            problem = failed;
-                    });
-        if (problem)
-            return support::Failure{"--pictures: " + *problem};
+        const std::vector<Scene> scenes = (*plans)[i].make();
+        for (const int width : options.widths)
+        {
+            const std::vector<LitScene> lights = litScenes(scenes, (*plans)[i], width, options);
+            for (const LitScene& light : lights)
+            {
+                std::fprintf(stderr, "[%zu/%zu] %s, width %d: %zu receivers\n", i + 1, plans->size(),
+                             light.scene.name.c_str(), width, light.receivers.size());
+                if (light.receivers.empty())
+                    return support::Failure{"scene '" + light.scene.name + "' has nothing that faces the light"};
+            }
+            std::vector<std::vector<Measurement>> found(techniques.size());
+            parallelFor(techniques.size(),
+                        [&](std::size_t t)
+                        {
+                            found[t] = measure(techniques[t], lights, width,
+                                               options.eachPass ? Rounding::EachPass : Rounding::Once, !options.oneTap,
+                                               options.pictures.empty() ? Shown() : picture);
+                        });
+            if (problem)
+                return support::Failure{"--pictures: " + *problem};
+            for (std::vector<Measurement>& of : found)
+                run.measurements.insert(run.measurements.end(), of.begin(), of.end());
+        }
     }
     return run;
 }
@@ -184,22 +226,31 @@ int main(int argc, char** argv)
     app.add_option("--size", options.size, "Texels along each side of the map")
         ->check(CLI::Range(32, 2048))
         ->capture_default_str();
-    app.add_option("--kernel", options.kernel, "Width of the binomial filter, odd")
+    app.add_option("--width", options.widths, "Widths of the binomial filter, odd")
         ->check(CLI::Range(3, 25))
+        ->delimiter(',')
         ->capture_default_str();
+    app.add_option("--receivers", options.receivers, "Most receivers of a scene")->capture_default_str();
+    app.add_flag("--centred", options.centred, "Receivers on texel centres, not anywhere between them");
+    app.add_flag("--each-pass", options.eachPass, "Round when storing and after each pass of the filter, not once");
+    app.add_flag("--one-tap", options.oneTap, "One tap at full resolution, and no other variant");
     app.add_option("--techniques", options.techniques, "Only those whose name contains one of these")->delimiter(',');
     app.add_option("--scenes", options.scenes, "Only those whose name contains one of these")->delimiter(',');
     app.add_option("--model", options.model, "A model of your own, in any format Assimp reads, instead of the scenes");
+    app.add_option("--costs", options.costs, "What lvsm_cost recorded")->capture_default_str();
     app.add_option("--output", options.output, "Where the rows go, as JSON")->capture_default_str();
     app.add_option("--pictures", options.pictures, "A folder for pictures of where the error is");
     CLI11_PARSE(app, argc, argv);
-    if (options.kernel % 2 == 0)
+    for (const int width : options.widths)
     {
-        std::fprintf(stderr, "--kernel: %d is even, and a filter has a middle\n", options.kernel);
-        return 1;
+        if (width % 2 == 0)
+        {
+            std::fprintf(stderr, "--width: %d is even, and a filter has a middle\n", width);
+            return 1;
+        }
     }
 
-    lvsm::support::Result<Run> run = measure(options);
+    lvsm::support::Result<Run> run = measureAll(options);
     if (!run)
     {
         std::fprintf(stderr, "%s\n", run.error().c_str());

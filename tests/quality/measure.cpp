@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include <lvsm/receiver.hpp>
-
-#include "filter.hpp"
+#include <lvsm/moments.hpp>
 
 namespace lvsm::quality
 {
 namespace
 {
 
-constexpr std::size_t kChoiceReceivers = 3000; // the best setting is chosen on about as many, evenly spread
-constexpr std::size_t kMostChannels = 64;
-constexpr int kRoundings = 3; // storing, and two passes of the filter
+// The settings are chosen on so many receivers of each light, and on fewer the more taps they have.
+constexpr std::size_t kChoiceReceivers = 600;
+constexpr std::size_t kBleeding = 4; // member of a setting
+constexpr int kRounds = 2;           // that all members of a setting are tried, one after the other
 
 class Sum
 {
@@ -82,140 +82,125 @@ Group slopeGroup(const Receiver& r)
     return slope < 0.001f ? Group::Flat : slope < 0.005f ? Group::Sloped : Group::Steep;
 }
 
-Image storedImage(const Technique& technique, const Estimator& estimator, const Map& map)
+/// The errors of one variant in all lights for any setting, worked out when first asked for.
+class Trials
 {
-    Image image(map.peel.size(), technique.channels);
-    for (int y = 0; y < image.size(); ++y)
+public:
+    Trials(const Technique& technique, const Variant& variant, const std::vector<StoredMap>& maps,
+           const std::vector<LitScene>& lights)
+        : m_technique(technique), m_settings(technique), m_maps(maps), m_lights(lights),
+          m_most(kChoiceReceivers / static_cast<std::size_t>(variant.tapsAcross))
     {
-        for (int x = 0; x < image.size(); ++x)
-        {
-            float* texel = image.texel(x, y);
-            estimator.store(map.peel.nearest(x, y), texel);
-            for (int c = 0; c < technique.channels; ++c)
-                texel[c] = stored(texel[c], technique.format);
-        }
     }
-    if (technique.bits > 0)
-        blur(image, map.kernel, technique.format);
-    return image;
-}
 
-} // namespace
-
-const std::vector<Setting>& allSettings()
-{
-    static const std::vector<Setting> settings = []
+    /// The best setting for one light, by the others.
+    Setting best(std::size_t light)
     {
-        std::vector<Setting> all;
-        for (const float shift : {0.0f, 0.15f, 0.3f, 0.6f, 1.0f, 3.0f})
+        Settings::Index index = m_settings.plain();
+        double least = error(index, light);
+        for (int round = 0; round < kRounds; ++round)
         {
-            for (const float slopeFloor : {0.0f, 1.0f, 4.0f})
+            for (std::size_t member = 0; member < index.size(); ++member)
             {
-                for (const float storedFloor : {0.003f, 0.03f, 0.3f, 3.0f, 10.0f})
+                for (std::size_t value = 0; value < m_settings.count(member); ++value)
                 {
-                    all.push_back({shift, slopeFloor, storedFloor});
+                    Settings::Index other = index;
+                    other[member] = value;
+                    const double otherError = error(other, light);
+                    if (otherError < least)
+                    {
+                        least = otherError;
+                        index = other;
+                    }
                 }
             }
         }
-        return all;
-    }();
-    return settings;
-}
-
-Judge::Judge(const Technique& technique, const Scene& scene, const std::vector<Receiver>& receivers,
-             const std::vector<double>& kernel)
-    : m_technique(technique), m_scene(scene), m_receivers(receivers),
-      m_kernel(technique.taps == 1 ? kernel : binomialKernel(static_cast<int>(kernel.size()) - 2)),
-      m_deviation(static_cast<float>(deviationOf(m_kernel))),
-      m_estimator(technique.prepare({scene.peel, m_kernel, m_deviation})),
-      m_image(storedImage(technique, *m_estimator, {scene.peel, m_kernel, m_deviation}))
-{
-}
-
-float Judge::atTexel(const Receiver& receiver, float depth, const Setting& setting, const float* texel) const
-{
-    const glm::vec2 gradient = receiver.surface.gradient;
-    const float reach = 0.5f * std::sqrt(setting.slopeFloor) * m_deviation; // the floor is of 4 deviations^2
-    return m_estimator->visibility({m_image, texel, receiver.x, receiver.y, depth, gradient,
-                                    receiverMinVariance(0.0f, gradient, reach),
-                                    setting.storedFloor * kRoundings * depthErrorOf(m_technique.format)});
-}
-
-float Judge::estimate(const Receiver& receiver, const Setting& setting) const
-{
-    const glm::vec2 gradient = receiver.surface.gradient;
-    const float depth = shiftReceiver(receiver.surface.depth, gradient, setting.shift);
-    if (m_technique.taps == 1)
-        return atTexel(receiver, depth, setting, m_image.texel(receiver.x, receiver.y));
-
-    std::array<float, kMostChannels> sample;
-    float sum = 0.0f;
-    for (const glm::ivec2 low : {glm::ivec2(-1, -1), glm::ivec2(0, -1), glm::ivec2(-1, 0), glm::ivec2(0, 0)})
-    {
-        const int x = receiver.x + low.x;
-        const int y = receiver.y + low.y;
-        for (int c = 0; c < m_technique.channels; ++c)
-        {
-            sample[static_cast<std::size_t>(c)] = 0.25f * (m_image.texel(x, y)[c] + m_image.texel(x + 1, y)[c] +
-                                                           m_image.texel(x, y + 1)[c] + m_image.texel(x + 1, y + 1)[c]);
-        }
-        sum += atTexel(receiver, planeDepth(depth, gradient, glm::vec2(low) + 0.5f), setting, sample.data());
+        return m_settings.at(index);
     }
-    return 0.25f * sum;
-}
 
-double Judge::rmse(const Setting& setting, std::size_t stride) const
+private:
+    double error(const Settings::Index& index, std::size_t leftOut)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < m_lights.size(); ++i)
+        {
+            if (i != leftOut || m_lights.size() == 1)
+                sum += errorIn(index, i);
+        }
+        return sum;
+    }
+
+    /// Light bleeding is reduced afterwards, for all amounts at once, where it is not part of the estimate.
+    double errorIn(Settings::Index index, std::size_t light)
+    {
+        const std::size_t amount = index[kBleeding];
+        if (!m_technique.contact)
+            index[kBleeding] = 0;
+        const auto [found, isNew] = m_errors.try_emplace({index, light});
+        if (isNew)
+            found->second = errorsIn(index, light);
+        return found->second[m_technique.contact ? 0 : amount];
+    }
+
+    std::vector<double> errorsIn(const Settings::Index& index, std::size_t light)
+    {
+        const std::vector<Receiver>& receivers = m_lights[light].receivers;
+        const Setting setting = m_settings.at(index);
+        std::vector<Sum> sums(m_technique.contact ? 1 : m_settings.count(kBleeding));
+        for (std::size_t i = 0; i < std::min(receivers.size(), m_most); ++i)
+        {
+            const Receiver& r = receivers[i];
+            const float estimate = m_maps[light].estimate(r, setting);
+            for (std::size_t amount = 0; amount < sums.size(); ++amount)
+            {
+                Settings::Index other = index;
+                other[kBleeding] = amount;
+                const float reduced =
+                    m_technique.contact ? estimate : reduceLightBleeding(estimate, m_settings.at(other).bleeding);
+                sums[amount].add(static_cast<double>(r.surface.facing), static_cast<double>(reduced - r.visibility));
+            }
+        }
+        std::vector<double> errors;
+        for (const Sum& sum : sums)
+            errors.push_back(sum.errors().rmse * sum.errors().rmse);
+        return errors;
+    }
+
+    const Technique& m_technique;
+    Settings m_settings;
+    const std::vector<StoredMap>& m_maps;
+    const std::vector<LitScene>& m_lights;
+    std::size_t m_most;
+    std::map<std::pair<Settings::Index, std::size_t>, std::vector<double>> m_errors;
+};
+
+double calmOf(const StoredMap& map, const Technique& technique, const std::vector<Receiver>& pairs,
+              const Setting& setting)
 {
     Sum sum;
-    for (std::size_t i = 0; i < m_receivers.size(); i += stride)
+    for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
     {
-        const Receiver& r = m_receivers[i];
-        sum.add(static_cast<double>(r.surface.facing), static_cast<double>(estimate(r, setting) - r.visibility));
+        const auto errorAt = [&](const Receiver& r)
+        {
+            return static_cast<double>(estimateOf(map, technique, r, setting) - r.visibility);
+        };
+        sum.add(static_cast<double>(pairs[i].surface.facing), errorAt(pairs[i + 1]) - errorAt(pairs[i]));
     }
     return sum.errors().rmse;
 }
 
-Setting Judge::bestSetting() const
+void addErrors(const StoredMap& map, const Technique& technique, const LitScene& light, Measurement& result)
 {
-    const std::size_t stride = std::max<std::size_t>(1, m_receivers.size() / kChoiceReceivers);
-    Setting best = kPlainSetting;
-    double least = rmse(best, stride);
-    for (const Setting& setting : allSettings())
-    {
-        const Setting& first = allSettings().front();
-        const bool otherFloor = setting.slopeFloor != first.slopeFloor || setting.storedFloor != first.storedFloor;
-        if (otherFloor && !m_technique.floors)
-            continue;
-        const double error = rmse(setting, stride);
-        if (error < least)
-        {
-            least = error;
-            best = setting;
-        }
-    }
-    return best;
-}
-
-Measurement Judge::measure() const
-{
-    Measurement result;
-    result.technique = m_technique.name;
-    result.peer = m_technique.peer;
-    result.bits = m_technique.bits;
-    result.taps = m_technique.taps;
-    result.scene = m_scene.name;
-    result.mesh = m_scene.mesh;
-    result.setting = bestSetting();
-    Sum all;
-    Sum unweighted;
+    Sum all, unweighted, plain;
     Percentile percentile;
     std::array<Sum, kGroupNames.size()> groups;
-    for (const Receiver& r : m_receivers)
+    for (const Receiver& r : light.receivers)
     {
-        const double error = static_cast<double>(estimate(r, result.setting) - r.visibility);
+        const double error = static_cast<double>(estimateOf(map, technique, r, result.setting) - r.visibility);
         const double weight = static_cast<double>(r.surface.facing);
         all.add(weight, error);
         unweighted.add(1.0, error);
+        plain.add(weight, static_cast<double>(estimateOf(map, technique, r, kPlainSetting) - r.visibility));
         percentile.add(weight, error);
         groups[static_cast<std::size_t>(lightGroup(r))].add(weight, error);
         if (r.occluderDistance > 0.0f)
@@ -225,9 +210,80 @@ Measurement Judge::measure() const
     result.all = all.errors();
     result.unweighted = unweighted.errors();
     result.p99 = percentile.at(0.99);
-    result.plainRmse = rmse(kPlainSetting, 1);
+    result.plainRmse = plain.errors().rmse;
     std::transform(groups.begin(), groups.end(), result.groups.begin(), [](const Sum& sum) { return sum.errors(); });
-    return result;
+    result.calm = calmOf(map, technique, light.pairs, result.setting);
+}
+
+} // namespace
+
+Settings::Settings(const Technique& technique)
+{
+    m_values[0] = {0.0f, 0.15f, 0.3f, 0.6f, 1.0f, 3.0f};
+    m_values[1] = technique.floors ? std::vector<float>{0.0f, 1.0f, 4.0f} : std::vector<float>{0.0f};
+    m_values[2] =
+        technique.floors ? std::vector<float>{0.003f, 0.03f, 0.3f, 1.0f, 3.0f, 10.0f, 30.0f} : std::vector<float>{1.0f};
+    m_values[3] = technique.bias ? std::vector<float>{0.25f, 0.5f, 1.0f, 2.0f, 4.0f} : std::vector<float>{1.0f};
+    m_values[4] = {0.0f, 0.05f, 0.1f, 0.15f, 0.2f, 0.3f};
+}
+
+Setting Settings::at(const Index& index) const
+{
+    return {m_values[0][index[0]], m_values[1][index[1]], m_values[2][index[2]], m_values[3][index[3]],
+            m_values[4][index[4]]};
+}
+
+Settings::Index Settings::plain() const
+{
+    const auto one = [&](std::size_t member)
+    {
+        const std::vector<float>& values = m_values[member];
+        return static_cast<std::size_t>(std::find(values.begin(), values.end(), 1.0f) - values.begin());
+    };
+    return {0, 0, one(2), one(3), 0};
+}
+
+float estimateOf(const StoredMap& map, const Technique& technique, const Receiver& receiver, const Setting& setting)
+{
+    const float visibility = map.estimate(receiver, setting);
+    return technique.contact ? visibility : reduceLightBleeding(visibility, setting.bleeding);
+}
+
+std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, int width,
+                                 Rounding rounding, bool variants, const Shown& shown)
+{
+    std::vector<MapMaker> makers;
+    for (const LitScene& light : lights)
+        makers.emplace_back(technique, light.scene, width, rounding);
+    std::vector<Measurement> results;
+    for (const Variant& variant : variants ? variantsOf(technique, width) : std::vector<Variant>(1))
+    {
+        std::vector<StoredMap> maps;
+        for (MapMaker& maker : makers)
+            maps.emplace_back(maker, variant);
+        Trials trials(technique, variant, maps, lights);
+        for (std::size_t i = 0; i < lights.size(); ++i)
+        {
+            if (!lights[i].isReported)
+                continue;
+            Measurement result;
+            result.technique = technique.name + variant.suffix();
+            result.peer = technique.peer;
+            result.bits = technique.bits;
+            result.reading = technique.reading;
+            result.variant = variant;
+            result.width = width;
+            result.estimate = technique.estimate;
+            result.scene = lights[i].scene.name;
+            result.mesh = lights[i].scene.mesh;
+            result.setting = trials.best(i);
+            addErrors(maps[i], technique, lights[i], result);
+            if (shown)
+                shown(result, maps[i], lights[i]);
+            results.push_back(std::move(result));
+        }
+    }
+    return results;
 }
 
 } // namespace lvsm::quality

@@ -5,24 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "techniques.hpp"
-#include "truth.hpp"
+#include "stored_map.hpp"
 
 namespace lvsm::quality
 {
-
-/// How a technique treats slope and rounding. Each technique is given the best of allSettings in each scene.
-struct Setting
-{
-    float shift;       ///< of the receiver towards the light, in |dz/dx| + |dz/dy|
-    float slopeFloor;  ///< variance floor, in (|grad z| sigma)^2 for the filter's deviation sigma
-    float storedFloor; ///< variance floor in what is stored in [0,1], in the format's rounding error after the filter
-};
-
-const std::vector<Setting>& allSettings();
-
-/// No shift and no floor for slopes: what the techniques do by themselves.
-constexpr Setting kPlainSetting{0.0f, 0.0f, 1.0f};
 
 /// Errors of a set of receivers: estimate less truth.
 struct Errors
@@ -51,43 +37,68 @@ constexpr std::array<const char*, 9> kGroupNames{"lit", "penumbra", "shadow", "n
 
 struct Measurement
 {
-    std::string technique;
+    std::string technique; ///< with its variant
     bool peer = false;
-    int bits = 0;
-    int taps = 1;
+    int bits = 0; ///< a texel of what is stored
+    Reading reading = Reading::Bilinear;
+    Variant variant;
+    int width = 0;
+    std::string estimate; ///< of one tap, in tests/cost/estimates.def
     std::string scene;
     bool mesh = false;
-    Setting setting = kPlainSetting;
-    Errors all; ///< weighted by n.l
+    Setting setting = kPlainSetting; ///< chosen in other lights or of another seed
+    Errors all;                      ///< weighted by n.l
     Errors unweighted;
     double p99 = 0.0;                              ///< 99th percentile of the size of the error, weighted by n.l
     double plainRmse = 0.0;                        ///< with kPlainSetting
+    double calm = 0.0;                             ///< RMSE of the difference between neighbours on one surface
     std::array<Errors, kGroupNames.size()> groups; ///< weighted by n.l
+
+    /// Of a texel of the shadow map: half resolution has a texel for four of them.
+    double texelBits() const { return variant.half ? 0.25 * bits : bits; }
+    int taps() const { return variant.tapsAcross * variant.tapsAcross; }
+    /// How often the estimate is made for one receiver.
+    int decisions() const { return taps() * (reading == Reading::Decoded ? 4 : 1); }
+    /// Its row in tests/cost/estimates.def, where it has one.
+    std::string estimateName() const
+    {
+        return estimate == "PCF whole window" ? estimate + " " + std::to_string(width) : estimate;
+    }
 };
 
-/// Estimates of one technique for every receiver of a scene.
-class Judge
+/// One light of a world, or one seed of a scene, with its receivers.
+struct LitScene
+{
+    Scene scene;
+    bool isReported;
+    std::vector<Receiver> receivers;
+    std::vector<Receiver> pairs; ///< of neighboursOf
+};
+
+/// Errors of one technique, in all its variants or with one tap alone, in each light that is reported. The setting of each light is the best
+/// in the other lights together; a light that is alone is judged with its own best. shown is called with each of them.
+using Shown = std::function<void(const Measurement&, const StoredMap&, const LitScene&)>;
+std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, int width,
+                                 Rounding rounding, bool variants = true, const Shown& shown = {});
+
+/// Settings in the order in which they are tried: one member after the other, twice.
+class Settings
 {
 public:
-    Judge(const Technique& technique, const Scene& scene, const std::vector<Receiver>& receivers,
-          const std::vector<double>& kernel);
+    explicit Settings(const Technique& technique);
 
-    float estimate(const Receiver& receiver, const Setting& setting) const;
-    Setting bestSetting() const;
-    Measurement measure() const;
+    using Index = std::array<std::size_t, 5>;
+    Setting at(const Index& index) const;
+    Index plain() const;
+    /// How many values a member has.
+    std::size_t count(std::size_t member) const { return m_values[member].size(); }
 
 private:
-    double rmse(const Setting& setting, std::size_t stride) const;
-    float atTexel(const Receiver& receiver, float depth, const Setting& setting, const float* texel) const;
-
-    const Technique& m_technique;
-    const Scene& m_scene;
-    const std::vector<Receiver>& m_receivers;
-    std::vector<double> m_kernel;
-    float m_deviation;
-    std::unique_ptr<Estimator> m_estimator;
-    Image m_image;
+    std::array<std::vector<float>, 5> m_values;
 };
+
+/// The estimate that counts: with light bleeding reduced.
+float estimateOf(const StoredMap& map, const Technique& technique, const Receiver& receiver, const Setting& setting);
 
 } // namespace lvsm::quality
 

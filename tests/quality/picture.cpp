@@ -36,15 +36,16 @@ void put(std::vector<std::uint8_t>& pixels, std::size_t index, Colour colour)
 
 } // namespace
 
-std::optional<std::string> writePicture(const Judge& judge, const Setting& setting, const Scene& scene,
-                                        const std::vector<Receiver>& receivers, const std::string& path)
+std::optional<std::string> writePicture(const StoredMap& map, const Technique& technique, const Setting& setting,
+                                        const LitScene& light, const std::string& path)
 {
+    const Scene& scene = light.scene;
     const int size = scene.peel.size();
     std::vector<float> worst(texelIndex(0, size, size));
     std::vector<float> shade(texelIndex(0, size, size));
-    for (const Receiver& r : receivers)
+    for (const Receiver& r : light.receivers)
     {
-        const float error = judge.estimate(r, setting) - r.visibility;
+        const float error = estimateOf(map, technique, r, setting) - r.visibility;
         float& kept = worst[texelIndex(r.x, r.y, size)];
         if (std::abs(error) > std::abs(kept))
             kept = error;

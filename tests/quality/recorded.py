@@ -20,6 +20,7 @@ FILE = pathlib.Path(__file__).with_name("recorded.json")
 MEAN = "mesh mean"
 # One of flat layers, one of meshes, both short to measure.
 PART = ["--scenes", "slanted,trees-grazing"]
+BUDGETS = [32, 64, 128, 256]
 # The arithmetic is the same everywhere but for the last digits of exp, log and the like.
 TOLERANCE = 1.0e-5
 
@@ -55,11 +56,23 @@ def digits(value):
     return round(value, 6)
 
 
+def budget(row):
+    """The least of BUDGETS that a texel of the shadow map fits in; 0 for a limit."""
+    return 0 if row["bits"] == 0 else min(bits for bits in BUDGETS if row["texel_bits"] <= bits)
+
+
+def kind(name, rows):
+    """What a technique is: `bits` is the budget that it fits in."""
+    return {"name": name, "bits": budget(rows[0]),
+            **{key: rows[0][key] for key in ("peer", "taps", "resolution", "texel_bits", "filtered", "estimate",
+                                             "decisions")}}
+
+
 def summary(name, rows):
     """What is kept of a technique: its error in each scene, and over the mesh scenes means and pooled groups."""
     mesh = [row for row in rows if row["mesh"]]
-    return {"name": name, "peer": rows[0]["peer"], "bits": rows[0]["bits"], "taps": rows[0]["taps"],
-            **{key: digits(mean(row[key] for row in mesh)) for key in ("bleed", "dark", "p99")},
+    return {**kind(name, rows),
+            **{key: digits(mean(row[key] for row in mesh)) for key in ("bleed", "dark", "p99", "calm")},
             "unweighted": digits(mean(row["unweighted"]["rmse"] for row in mesh)),
             "groups": {group: pooled(mesh, group) for group in mesh[0]["groups"]},
             "rmse": {row["scene"]: digits(row["rmse"]) for row in rows}}
@@ -69,17 +82,24 @@ def digest(lines):
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
-def record(program):
-    rows = measure(program)
-    lines = [json.dumps(summary(name, rows)) for name, rows in by_technique(rows).items()]
+def write(rows, wide_rows):
+    lines = [json.dumps(summary(name, found)) for name, found in by_technique(rows).items()]
+    wide = [json.dumps({**kind(name, found), "rmse": {row["scene"]: digits(row["rmse"]) for row in found}})
+            for name, found in by_technique(wide_rows).items()]
     mesh = list(dict.fromkeys(row["scene"] for row in rows if row["mesh"]))
-    FILE.write_text('{"seed": %d, "digest": "%s",\n"mesh_scenes": %s,\n"techniques": [\n%s\n]}\n' % (
-        rows[0]["seed"], digest(lines), json.dumps(mesh), ",\n".join(lines)))
+    FILE.write_text('{"seed": %d, "width": %d, "wide": %d, "digest": "%s",\n"mesh_scenes": %s,\n'
+                    '"techniques": [\n%s\n],\n"wide_techniques": [\n%s\n]}\n' % (
+                        rows[0]["seed"], rows[0]["width"], wide_rows[0]["width"], digest(lines + wide),
+                        json.dumps(mesh), ",\n".join(lines), ",\n".join(wide)))
+
+
+def record(program):
+    write(measure(program), measure(program, "--width", "15"))
 
 
 def check(program):
     """Yields what differs from the record."""
-    if digest([json.dumps(t) for t in whole()["techniques"]]) != whole()["digest"]:
+    if digest([json.dumps(t) for t in whole()["techniques"] + whole()["wide_techniques"]]) != whole()["digest"]:
         yield f"{FILE.name} has been changed by hand"
     now = by_technique(measure(program, *PART))
     for name in sorted(set(now) ^ {t["name"] for t in whole()["techniques"]}):
@@ -96,13 +116,13 @@ def whole():
     return json.loads(FILE.read_text())
 
 
-def techniques(limits=False):
-    """Those that are stored in some bits, or the limits."""
-    return [technique for technique in whole()["techniques"] if (technique["bits"] == 0) == limits]
+def techniques(limits=False, wide=False):
+    """Those that are stored in some bits, or the limits; for the ordinary filter, or for the wide one."""
+    return [t for t in whole()["wide_techniques" if wide else "techniques"] if (t["bits"] == 0) == limits]
 
 
-def technique(name):
-    return next(t for t in whole()["techniques"] if t["name"] == name)
+def technique(name, wide=False):
+    return next(t for t in whole()["wide_techniques" if wide else "techniques"] if t["name"] == name)
 
 
 def scenes_of(column):
@@ -118,8 +138,8 @@ def technique_scenes():
 COLUMNS = [*dict.fromkeys(scene.split("-")[0] for scene in technique_scenes()), MEAN] if FILE.exists() else []
 
 
-def rmse(name, column=MEAN):
-    return mean(technique(name)["rmse"][scene] for scene in scenes_of(column))
+def rmse(name, column=MEAN, wide=False):
+    return mean(technique(name, wide)["rmse"][scene] for scene in scenes_of(column))
 
 
 def main():

@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 #include <ostream>
-#include <set>
+#include <sstream>
 
 #include "report.hpp"
 
@@ -81,6 +81,7 @@ struct Line
 {
     const Measurement* technique;
     Columns::Row row;
+    Columns::Row scenes; ///< by the scene's own name
 };
 
 void printHeader(const Columns& columns, const std::string& first, std::ostream& out)
@@ -117,7 +118,18 @@ Columns::Row ratio(const Columns::Row& ours, const Columns::Row& peer)
     return result;
 }
 
-/// The best of ours at some bits, and the best peer at those or fewer.
+/// How many bits a texel of the shadow map takes at most; 0 for a limit.
+int budgetOf(const Measurement& m)
+{
+    for (const int bits : {0, 8, 16, 32, 64, 128})
+    {
+        if (m.texelBits() <= bits)
+            return bits;
+    }
+    return 256;
+}
+
+/// The best of ours and the best peer among some of the lines.
 struct Best
 {
     const Line* ours = nullptr;
@@ -130,58 +142,105 @@ struct Best
             best = &line;
     }
 
-    void print(const std::string& what, const Columns& columns, std::ostream& out) const
+    void print(const std::string& what, const Columns& columns, const std::optional<Line>& limit,
+               std::ostream& out) const
     {
         if (ours == nullptr || peer == nullptr)
             return;
-        const std::string pair = ours->technique->technique + " / " + peer->technique->technique;
-        printLine(columns, "**" + what + pair + "**", ratio(ours->row, peer->row), 2, out);
+        std::string worst;
+        double most = 0.0;
+        std::size_t won = 0;
+        for (const auto& [scene, error] : ours->scenes)
+        {
+            const double against = error / std::max(peer->scenes.at(scene), 1e-9);
+            won += against < 1.0;
+            if (against > most)
+            {
+                most = against;
+                worst = scene;
+            }
+        }
+        std::ostringstream pair;
+        pair << "**" << what << ": " << ours->technique->technique << " / " << peer->technique->technique << "**, won "
+             << won << " of " << ours->scenes.size() << ", worst " << worst << ' ' << std::fixed << std::setprecision(2)
+             << most;
+        printLine(columns, pair.str(), ratio(ours->row, peer->row), 2, out);
+        if (!limit)
+            return;
+        Columns::Row closed;
+        for (const auto& [name, error] : peer->row)
+        {
+            const double gap = error - limit->row.at(name);
+            closed[name] = gap > 1e-6 ? (error - ours->row.at(name)) / gap : kUnknown;
+        }
+        printLine(columns, "share of the gap to the limit that it closes", closed, 2, out);
     }
 };
+
+void printWidth(const std::vector<const Measurement*>& measurements, const Columns& columns, std::ostream& out)
+{
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<const Measurement*>> byTechnique;
+    for (const Measurement* m : measurements)
+    {
+        if (byTechnique[m->technique].empty())
+            order.push_back(m->technique);
+        byTechnique[m->technique].push_back(m);
+    }
+    std::map<int, std::vector<Line>> byBits;
+    for (const std::string& name : order)
+    {
+        const std::vector<const Measurement*>& rows = byTechnique[name];
+        Line line{rows.front(), columns.row(rows), {}};
+        for (const Measurement* m : rows)
+            line.scenes[m->scene] = m->all.rmse;
+        byBits[budgetOf(*rows.front())].push_back(std::move(line));
+    }
+    std::optional<Line> limit;
+    for (const Line& line : byBits[0])
+    {
+        if (line.technique->technique == "limit: exact, receiver's plane")
+            limit = line;
+    }
+    Best filtered, any;
+    for (auto& [bits, lines] : byBits)
+    {
+        std::stable_sort(lines.begin(), lines.end(),
+                         [&](const Line& a, const Line& b) { return columns.rank(a.row) < columns.rank(b.row); });
+        if (lines.empty())
+            continue;
+        printHeader(columns, bits > 0 ? std::to_string(bits) + " bits" : "limits", out);
+        filtered.ours = any.ours = nullptr;
+        for (const Line& line : lines)
+        {
+            printLine(columns, line.technique->technique + (line.technique->peer ? " (peer)" : ""), line.row, 4, out);
+            if (bits == 0)
+                continue;
+            any.consider(line, columns);
+            if (line.technique->reading == Reading::Bilinear && line.technique->variant.tapsAcross == 1)
+                filtered.consider(line, columns);
+        }
+        filtered.print("one tap", columns, limit, out);
+        any.print("anything", columns, limit, out);
+    }
+}
 
 } // namespace
 
 void printTables(const Run& run, std::ostream& out)
 {
     const Columns columns(run.measurements);
-    std::vector<std::string> order;
-    std::map<std::string, std::vector<const Measurement*>> byTechnique;
+    std::map<int, std::vector<const Measurement*>> byWidth;
     for (const Measurement& m : run.measurements)
+        byWidth[m.width].push_back(&m);
+    out << "RMSE against exact filtered visibility, weighted by n.l; settings chosen in other lights or of another "
+           "seed."
+           "\nMeshes: mean over the lights. "
+        << run.size << " x " << run.size << " texels, seed " << run.seed << ".\n";
+    for (const auto& [width, measurements] : byWidth)
     {
-        if (byTechnique[m.technique].empty())
-            order.push_back(m.technique);
-        byTechnique[m.technique].push_back(&m);
-    }
-    std::map<int, std::vector<Line>> byBits;
-    for (const std::string& name : order)
-    {
-        byBits[byTechnique[name].front()->bits].push_back({byTechnique[name].front(), columns.row(byTechnique[name])});
-    }
-
-    out << "RMSE against exact filtered visibility, weighted by n.l; each technique at its best shift and floor in "
-           "each "
-           "scene.\nMeshes: mean over the lights. "
-        << run.size << " x " << run.size << " texels, kernel " << run.kernel << ", seed " << run.seed << ".\n";
-    Best oneTap;
-    Best anyTaps;
-    for (auto& [bits, lines] : byBits)
-    {
-        std::stable_sort(lines.begin(), lines.end(),
-                         [&](const Line& a, const Line& b) { return columns.rank(a.row) < columns.rank(b.row); });
-        printHeader(columns, bits > 0 ? std::to_string(bits) + " bits" : "limits", out);
-        oneTap.ours = anyTaps.ours = nullptr;
-        for (const Line& line : lines)
-        {
-            printLine(columns, line.technique->technique + (line.technique->peer ? " (peer)" : ""), line.row, 4, out);
-            if (bits == 0)
-                continue;
-            anyTaps.consider(line, columns);
-            if (line.technique->taps == 1)
-                oneTap.consider(line, columns);
-        }
-        oneTap.print("one tap: ", columns, out);
-        if (anyTaps.ours != oneTap.ours)
-            anyTaps.print("any taps: ", columns, out);
+        out << "\nWidth " << width << "\n";
+        printWidth(measurements, columns, out);
     }
 }
 

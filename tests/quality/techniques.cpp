@@ -3,17 +3,11 @@
 namespace lvsm::quality
 {
 
-Technique fourTaps(Technique technique)
-{
-    technique.name += ", 4 taps";
-    technique.taps = 4;
-    return technique;
-}
-
 std::vector<Technique> allTechniques()
 {
     std::vector<Technique> all;
-    for (const auto& part : {varianceTechniques(), otherPeers(), momentTechniques(), layeredTechniques(), limits()})
+    for (const auto& part :
+         {varianceTechniques(), otherPeers(), pcfPeers(), momentTechniques(), layeredTechniques(), limits()})
     {
         all.insert(all.end(), part.begin(), part.end());
     }

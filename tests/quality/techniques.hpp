@@ -13,16 +13,31 @@
 namespace lvsm::quality
 {
 
-/// A receiver as a technique sees it.
+/// A tap as a technique sees it: one decision from what is stored around one place.
 struct Query
 {
-    const Image& image; ///< stored and filtered channels
-    const float* texel; ///< those of the receiver's texel
-    int x, y;
+    const Image& image;   ///< what is stored, filtered and coded
+    const float* texel;   ///< a bilinear sample of it there; the texel itself for what is not filterable
+    int x, y;             ///< the texel whose centre is nearest
+    glm::vec2 offset;     ///< from that centre, in texels
     float depth;          ///< the receiver's, moved towards the light
-    glm::vec2 gradient;   ///< the receiver's
+    glm::vec2 gradient;   ///< the receiver's, over a texel of the image
+    float deviation;      ///< of the image's filter, in texels of the image
     float slopeVariance;  ///< floor that its slope asks for, in depth squared
     float storedVariance; ///< floor that the format's rounding asks for, in the square of what is stored in [0,1]
+    float bias;           ///< times the bias that rounding asks for
+    float contact;        ///< light bleeding reduction inside the estimate, for what has it
+
+    /// A bilinear sample of one channel, so many texels away.
+    float sample(int dx, int dy, int channel) const
+    {
+        const glm::ivec2 low{x + dx - (offset.x < 0.0f ? 1 : 0), y + dy - (offset.y < 0.0f ? 1 : 0)};
+        const glm::vec2 f = offset - glm::floor(offset);
+        const float top = glm::mix(image.texel(low.x, low.y)[channel], image.texel(low.x + 1, low.y)[channel], f.x);
+        const float bottom =
+            glm::mix(image.texel(low.x, low.y + 1)[channel], image.texel(low.x + 1, low.y + 1)[channel], f.x);
+        return glm::mix(top, bottom, f.y);
+    }
 };
 
 /// What one technique stores for a texel and makes of it afterwards, for one scene.
@@ -31,6 +46,8 @@ class Estimator
 public:
     virtual ~Estimator() = default;
     virtual void store(const Surface& nearest, float* texel) const = 0;
+    /// For what is coded after the filter: what is read back of a filtered texel, in place.
+    virtual void code(float*) const {}
     virtual float visibility(const Query& query) const = 0;
 };
 
@@ -38,26 +55,33 @@ public:
 struct Map
 {
     const Peel& peel;
-    const std::vector<double>& kernel;
-    float deviation; ///< of the filter, in texels
+    const std::vector<double>& kernel; ///< the whole window's
 };
 
+/// How what is stored is read between texels.
+enum class Reading
+{
+    Bilinear, ///< by hardware, or four fetches and a mix
+    Decoded,  ///< four decisions, mixed
+    Window    ///< of depths as they are: the estimate reads the whole window itself, and nothing is filtered
+};
+
+/// A technique. To add one: an Estimator in techniques_KIND.cpp, and its rows in allTechniques().
 struct Technique
 {
     std::string name;
     bool peer; ///< somebody else's, with published constants
     int bits;  ///< a texel; 0 for a limit, which no storage reaches
     int channels;
-    Format format;
-    bool floors; ///< whether a variance floor means anything to it
+    Format format; ///< what each channel is rounded to after the filter; Fp32 for what code() rounds itself
+    bool floors;   ///< whether a variance floor means anything to it
     std::function<std::unique_ptr<Estimator>(const Map&)> prepare;
-    int taps = 1; ///< 1, or 4: see fourTaps
+    std::string estimate = {}; ///< its row in tests/cost/estimates.def; none, and its cost is unknown
+    Reading reading = Reading::Bilinear;
+    bool bias = false;     ///< whether the bias against rounding may be chosen, as a floor is
+    bool contact = false;  ///< whether light bleeding is reduced inside the estimate, not afterwards
+    bool variants = false; ///< also with 4, 9, 16 and 25 taps, and at half resolution
 };
-
-/// The same technique judged four times, from samples half a texel away in x and in y. The filter is two taps narrower:
-/// with the bilinear samples and the mean of the four it covers the same window with the same weights. Each sample is
-/// compared with the receiver's plane there.
-Technique fourTaps(Technique technique);
 
 /// Everything that is measured, limits last.
 std::vector<Technique> allTechniques();
@@ -65,7 +89,8 @@ std::vector<Technique> allTechniques();
 // Its parts.
 std::vector<Technique> varianceTechniques(); // VSM, EVSM2, EVSM4
 std::vector<Technique> otherPeers();         // ESM, CSM
-std::vector<Technique> momentTechniques();   // MSM4, and layers of it
+std::vector<Technique> pcfPeers();           // PCF
+std::vector<Technique> momentTechniques();   // MSM4, quantised and in layers; trigonometric
 std::vector<Technique> layeredTechniques();  // LVSM, as in the paper and bracketed
 std::vector<Technique> limits();
 

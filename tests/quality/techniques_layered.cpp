@@ -10,17 +10,11 @@ namespace lvsm::quality
 namespace
 {
 
-// Of reduceLightBleeding, inside the receiver's layer alone.
-constexpr float kContact = 0.15f;
-
 /// Two moments a layer, in the basis for few bits where the format is unorm8.
 class Layers : public Estimator
 {
 public:
-    Layers(const Map& map, Splits splits, Format format)
-        : m_splits(std::move(splits)), m_deviation(map.deviation), m_compact(format == Format::Unorm8)
-    {
-    }
+    Layers(Splits splits, Format format) : m_splits(std::move(splits)), m_compact(format == Format::Unorm8) {}
 
     void store(const Surface& nearest, float* texel) const override
     {
@@ -54,7 +48,6 @@ protected:
     }
 
     Splits m_splits;
-    float m_deviation;
 
 private:
     bool m_compact;
@@ -103,7 +96,7 @@ public:
     using Layers::Layers;
     float visibility(const Query& q) const override
     {
-        const float variance = planeVariance(q.gradient, m_deviation);
+        const float variance = planeVariance(q.gradient, q.deviation);
         const float reach = std::sqrt(variance);
         const int first = m_splits.layerOf(q.depth - reach);
         const int last = m_splits.layerOf(q.depth + reach);
@@ -121,7 +114,7 @@ public:
         }
         const glm::vec3 covariances(covariance(q, first - 1), ownCovariance, covariance(q, last + 1));
         return planeBracketedVisibility(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
-                                        glm::vec2(begin, begin + length), variance, minVariance(q, length), kContact);
+                                        glm::vec2(begin, begin + length), variance, minVariance(q, length), q.contact);
     }
 
 private:
@@ -131,27 +124,34 @@ private:
             return 0.0f;
         const auto mean = [&](int dx, int dy)
         {
-            return q.image.texel(q.x + dx, q.y + dy)[2 * layer];
+            return q.sample(dx, dy, 2 * layer);
         };
-        return planeCovariance(glm::vec4(mean(1, 0), mean(-1, 0), mean(0, 1), mean(0, -1)), q.gradient, m_deviation);
+        return planeCovariance(glm::vec4(mean(1, 0), mean(-1, 0), mean(0, 1), mean(0, -1)), q.gradient, q.deviation);
     }
 };
 
 template <typename E>
-Technique layered(const std::string& estimate, int count, Format format, Placement placement)
+Technique layered(const std::string& estimate, int count, Format format, Placement placement, const std::string& cost)
 {
     const std::string name =
         "LVSM-" + std::to_string(count) + " " + nameOf(format) + " " + estimate + ", " + nameOf(placement);
+    const std::string of = cost.empty() ? cost : "LVSM-" + (count == 2 ? std::string("2") : "N") + " " + cost;
     return {name,
             false,
             2 * count * bitsOf(format),
             2 * count,
             format,
             true,
-            [=](const Map& map)
-            {
-                return std::make_unique<E>(map, Splits(map, count, placement), format);
-            }};
+            [=](const Map& map) { return std::make_unique<E>(Splits(map, count, placement), format); },
+            of};
+}
+
+Technique plane(int count, Placement placement)
+{
+    Technique technique = layered<PlaneLayers>("plane", count, Format::Unorm8, placement, "plane 8-bit");
+    technique.contact = true;
+    technique.variants = placement == Placement::Optimal;
+    return technique;
 }
 
 } // namespace
@@ -161,22 +161,23 @@ std::vector<Technique> layeredTechniques()
     std::vector<Technique> all;
     for (const int count : {2, 4, 8})
     {
-        all.push_back(layered<PaperLayers>("paper", count, Format::Unorm16, Placement::Uniform));
+        all.push_back(layered<PaperLayers>("paper", count, Format::Unorm16, Placement::Uniform, ""));
+        all.back().estimate = "LVSM one placed layer";
         for (const Placement placement : {Placement::Uniform, Placement::Optimal})
         {
-            all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm16, placement));
+            const bool fixedSplit = count == 2 && placement == Placement::Uniform;
+            all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm16, placement,
+                                                   fixedSplit ? "bracketed" : "bracketed and placed"));
         }
-        all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm16, Placement::Uniform));
+        all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm16, Placement::Uniform, "bounded"));
     }
     for (const int count : {2, 4, 8, 16})
     {
-        all.push_back(layered<BracketedLayers>("bracketed", count, Format::Unorm8, Placement::Uniform));
-        all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm8, Placement::Uniform));
-        for (const Placement placement : {Placement::Uniform, Placement::Optimal})
-        {
-            all.push_back(layered<PlaneLayers>("plane", count, Format::Unorm8, placement));
-        }
-        all.push_back(fourTaps(layered<PlaneLayers>("plane", count, Format::Unorm8, Placement::Optimal)));
+        all.push_back(
+            layered<BracketedLayers>("bracketed", count, Format::Unorm8, Placement::Uniform, "bracketed 8-bit"));
+        all.push_back(layered<BoundedLayers>("bounded", count, Format::Unorm8, Placement::Uniform, "bounded 8-bit"));
+        all.push_back(plane(count, Placement::Uniform));
+        all.push_back(plane(count, Placement::Optimal));
     }
     return all;
 }

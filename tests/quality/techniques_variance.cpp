@@ -74,14 +74,21 @@ std::vector<Technique> varianceTechniques()
     // 5.54: the most that fp16 bears. 42 for fp32 likewise, with head room; 10 and 5 for the negative warp are what
     // public implementations ship with.
     constexpr float kFp16 = 5.54f;
-    return {{"VSM rg16", true, 32, 2, Format::Unorm16, true, fixed<Vsm>()},
-            {"EVSM2 rg16f 5.54", true, 32, 2, Format::Fp16, true, fixed<Evsm2>(kFp16)},
-            {"VSM rg32f", true, 64, 2, Format::Fp32, true, fixed<Vsm>()},
-            {"EVSM2 rg32f 42", true, 64, 2, Format::Fp32, true, fixed<Evsm2>(42.0f)},
-            {"EVSM4 rgba16f 5.54", true, 64, 4, Format::Fp16, true, fixed<Evsm4>(kFp16, kFp16)},
-            {"EVSM4 rgba32f 40/5", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(40.0f, 5.0f)},
-            {"EVSM4 rgba32f 42/10", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(42.0f, 10.0f)},
-            {"EVSM4 rgba32f 42/42", true, 128, 4, Format::Fp32, true, fixed<Evsm4>(42.0f, 42.0f)}};
+    const auto evsm4 = [](const std::string& name, int bits, Format format, float positive, float negative)
+    {
+        return Technique{name, true, bits, 4, format, true, fixed<Evsm4>(positive, negative), "EVSM4"};
+    };
+    std::vector<Technique> all{{"VSM rg16", true, 32, 2, Format::Unorm16, true, fixed<Vsm>(), "VSM"},
+                               {"EVSM2 rg16f 5.54", true, 32, 2, Format::Fp16, true, fixed<Evsm2>(kFp16), "EVSM2"},
+                               {"VSM rg32f", true, 64, 2, Format::Fp32, true, fixed<Vsm>(), "VSM"},
+                               {"EVSM2 rg32f 42", true, 64, 2, Format::Fp32, true, fixed<Evsm2>(42.0f), "EVSM2"},
+                               evsm4("EVSM4 rgba16f 5.54", 64, Format::Fp16, kFp16, kFp16),
+                               evsm4("EVSM4 rgba32f 40/5", 128, Format::Fp32, 40.0f, 5.0f),
+                               evsm4("EVSM4 rgba32f 42/10", 128, Format::Fp32, 42.0f, 10.0f),
+                               evsm4("EVSM4 rgba32f 42/42", 128, Format::Fp32, 42.0f, 42.0f)};
+    for (const std::size_t i : {0u, 4u, 6u})
+        all[i].variants = true;
+    return all;
 }
 
 } // namespace lvsm::quality

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "filter.hpp"
 #include "parallel.hpp"
 
 namespace lvsm::quality
@@ -14,22 +15,23 @@ namespace
 // Between two points a surface may be steeper than at both: by this share of their slopes.
 constexpr float kRoom = 0.25f;
 
-Receiver judged(const Scene& scene, const std::vector<double>& kernel, int x, int y, const Surface& surface)
+void judge(const Scene& scene, const std::vector<double>& kernel, Receiver& receiver)
 {
-    const int radius = static_cast<int>(kernel.size()) / 2;
+    const ShiftedKernel x(kernel, receiver.offset.x);
+    const ShiftedKernel y(kernel, receiver.offset.y);
+    const Surface& surface = receiver.surface;
     double lit = 0.0;
     double occluded = 0.0;
     double distance = 0.0;
-    for (int dy = -radius; dy <= radius; ++dy)
+    for (int dy = y.first(); dy <= y.last(); ++dy)
     {
-        for (int dx = -radius; dx <= radius; ++dx)
+        for (int dx = x.first(); dx <= x.last(); ++dx)
         {
             const glm::ivec2 offset{dx, dy};
-            const float own = scene.mesh ? ownDepth(scene.peel, surface, x, y, offset)
+            const float own = scene.mesh ? ownDepth(scene.peel, surface, receiver.x, receiver.y, offset)
                                          : surface.depth + glm::dot(surface.gradient, glm::vec2(offset));
-            const float map = scene.peel.nearest(x + dx, y + dy).depth;
-            const double weight =
-                kernel[static_cast<std::size_t>(dx + radius)] * kernel[static_cast<std::size_t>(dy + radius)];
+            const float map = scene.peel.nearest(receiver.x + dx, receiver.y + dy).depth;
+            const double weight = x.weight(dx) * y.weight(dy);
             if (map >= own - kSameDepth)
             {
                 lit += weight;
@@ -41,17 +43,29 @@ Receiver judged(const Scene& scene, const std::vector<double>& kernel, int x, in
             }
         }
     }
-    const double mean = occluded > 0.0 ? distance / occluded : 0.0;
-    return {x, y, surface, static_cast<float>(lit), static_cast<float>(mean)};
+    receiver.visibility = static_cast<float>(lit);
+    receiver.occluderDistance = static_cast<float>(occluded > 0.0 ? distance / occluded : 0.0);
+}
+
+void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers)
+{
+    constexpr std::size_t kBatch = 1024;
+    parallelFor((receivers.size() + kBatch - 1) / kBatch,
+                [&](std::size_t batch)
+                {
+                    const std::size_t stop = std::min(receivers.size(), (batch + 1) * kBatch);
+                    for (std::size_t i = batch * kBatch; i < stop; ++i)
+                        judge(scene, kernel, receivers[i]);
+                });
 }
 
 } // namespace
 
-float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset)
+const Surface* ownSurface(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset)
 {
     const glm::vec2 step(offset);
     const float plane = receiver.depth + glm::dot(receiver.gradient, step);
-    float own = plane;
+    const Surface* own = nullptr;
     float least = 2.0f;
     for (const Surface* s = peel.begin(x + offset.x, y + offset.y); s != peel.end(x + offset.x, y + offset.y); ++s)
     {
@@ -61,20 +75,30 @@ float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ive
         if (away < least && away <= bend + room + kSameDepth)
         {
             least = away;
-            own = s->depth;
+            own = s;
         }
     }
-    return std::min(own, 1.0f); // an empty texel's depth, which no plane is behind
+    return own;
 }
 
-std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>& kernel)
+float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset)
+{
+    const Surface* own = ownSurface(peel, receiver, x, y, offset);
+    const float depth = own != nullptr ? own->depth : receiver.depth + glm::dot(receiver.gradient, glm::vec2(offset));
+    return std::min(depth, 1.0f); // an empty texel's depth, which no plane is behind
+}
+
+std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>& kernel, const Choice& choice)
 {
     constexpr unsigned kThinningSeed = 9;
-    const int margin = static_cast<int>(kernel.size()) / 2 + 1;
+    const int margin = static_cast<int>(kernel.size()) / 2 + 5; // a tap, a neighbour, half resolution
     const int last = scene.peel.size() - 1 - margin;
 
     std::mt19937 random(kThinningSeed);
-    std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+    const auto uniform = [&]
+    {
+        return static_cast<float>(random() >> 8) * 0x1p-24f;
+    };
     std::vector<Receiver> receivers;
     for (int y = margin; y <= last; ++y)
     {
@@ -86,26 +110,38 @@ std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>&
             for (const Surface* s = begin; s != end; ++s)
             {
                 const bool middle = s != begin && s != end - 1;
-                if (thinned && middle && uniform(random) < 0.5f)
+                if (thinned && middle && uniform() < 0.5f)
                     continue;
+                const float toRight = uniform() - 0.5f;
+                const glm::vec2 offset(toRight, uniform() - 0.5f);
                 if (s->facing > 0.0f)
-                    receivers.push_back({x, y, *s, 0.0f, 0.0f});
+                    receivers.push_back({x, y, choice.centred ? glm::vec2(0.0f) : offset, *s, 0.0f, 0.0f});
             }
         }
     }
-
-    constexpr std::size_t kBatch = 4096;
-    parallelFor((receivers.size() + kBatch - 1) / kBatch,
-                [&](std::size_t batch)
-                {
-                    const std::size_t stop = std::min(receivers.size(), (batch + 1) * kBatch);
-                    for (std::size_t i = batch * kBatch; i < stop; ++i)
-                    {
-                        Receiver& r = receivers[i];
-                        r = judged(scene, kernel, r.x, r.y, r.surface);
-                    }
-                });
+    // In any order, so that the first few of them are a fair sample: rows repeat, and so do surfaces along a ray.
+    const std::size_t count = std::min(receivers.size(), choice.most);
+    for (std::size_t i = 0; i < count; ++i)
+        std::swap(receivers[i], receivers[i + random() % (receivers.size() - i)]);
+    receivers.resize(count);
+    judgeAll(scene, kernel, receivers);
     return receivers;
+}
+
+std::vector<Receiver> neighboursOf(const Scene& scene, const std::vector<Receiver>& receivers,
+                                   const std::vector<double>& kernel)
+{
+    std::vector<Receiver> pairs;
+    for (const Receiver& r : receivers)
+    {
+        const Surface* next = ownSurface(scene.peel, r.surface, r.x, r.y, {1, 0});
+        if (next == nullptr)
+            continue;
+        pairs.push_back(r);
+        pairs.push_back({r.x + 1, r.y, r.offset, *next, 0.0f, 0.0f});
+    }
+    judgeAll(scene, kernel, pairs);
+    return pairs;
 }
 
 } // namespace lvsm::quality

@@ -1,0 +1,150 @@
+// Percentage-closer filtering, and what no storage can beat: the map's own depths, all of them.
+#include <cmath>
+
+#include <lvsm/pcf.hpp>
+
+#include "filter.hpp"
+#include "techniques.hpp"
+#include "truth.hpp"
+
+namespace lvsm::quality
+{
+namespace
+{
+
+class Depths : public Estimator
+{
+public:
+    void store(const Surface& nearest, float* texel) const override { texel[0] = nearest.depth; }
+
+protected:
+    static float depthAt(const Query& q, int dx, int dy) { return q.image.texel(q.x + dx, q.y + dy)[0]; }
+    /// The receiver's plane at the centre of another texel.
+    static float planeAt(const Query& q, int dx, int dy)
+    {
+        return q.depth + glm::dot(q.gradient, glm::vec2(dx, dy) - q.offset);
+    }
+    static float litAt(const Query& q, int dx, int dy)
+    {
+        return depthTest(depthAt(q, dx, dy), planeAt(q, dx, dy), kSameDepth);
+    }
+    /// 2 x 2 depth tests mixed as hardware does, so many texels away.
+    static float bilinear(const Query& q, glm::vec2 away)
+    {
+        const glm::vec2 at = q.offset + away;
+        const glm::vec2 low = glm::floor(at);
+        const glm::vec2 f = at - low;
+        const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
+        return glm::mix(glm::mix(litAt(q, x, y), litAt(q, x + 1, y), f.x),
+                        glm::mix(litAt(q, x, y + 1), litAt(q, x + 1, y + 1), f.x), f.y);
+    }
+};
+
+/// The share of the window that is not in front of the receiver's depth, or of its plane.
+class WholeWindow : public Depths
+{
+public:
+    WholeWindow(const std::vector<double>& kernel, bool plane) : m_kernel(kernel), m_plane(plane) {}
+
+    float visibility(const Query& q) const override
+    {
+        const ShiftedKernel x(m_kernel, q.offset.x);
+        const ShiftedKernel y(m_kernel, q.offset.y);
+        double lit = 0.0;
+        for (int dy = y.first(); dy <= y.last(); ++dy)
+        {
+            for (int dx = x.first(); dx <= x.last(); ++dx)
+            {
+                const float own = m_plane ? planeAt(q, dx, dy) : q.depth;
+                lit +=
+                    x.weight(dx) * y.weight(dy) * static_cast<double>(depthTest(depthAt(q, dx, dy), own, kSameDepth));
+            }
+        }
+        return static_cast<float>(lit);
+    }
+
+private:
+    std::vector<double> m_kernel;
+    bool m_plane;
+};
+
+/// Bilinear depth tests in a square, each weighing the same.
+class Box : public Depths
+{
+public:
+    explicit Box(int width) : m_width(width) {}
+    float visibility(const Query& q) const override
+    {
+        float sum = 0.0f;
+        const float middle = 0.5f * static_cast<float>(m_width - 1);
+        for (int i = 0; i < m_width * m_width; ++i)
+        {
+            const glm::vec2 away(static_cast<float>(i % m_width), static_cast<float>(i / m_width));
+            sum += bilinear(q, away - middle);
+        }
+        return sum / static_cast<float>(m_width * m_width);
+    }
+
+private:
+    int m_width;
+};
+
+/// Bilinear depth tests at sixteen places of a disc of the filter's deviation, turned by a hash of the receiver's place.
+class Disc : public Depths
+{
+public:
+    explicit Disc(float deviation) : m_radius(2.0f * deviation) {}
+    float visibility(const Query& q) const override
+    {
+        constexpr int kSamples = 16;
+        constexpr float kGoldenAngle = 2.3999632f;
+        const glm::vec2 place(static_cast<float>(q.x) + q.offset.x, static_cast<float>(q.y) + q.offset.y);
+        const float turn =
+            6.2831853f * glm::fract(52.9829189f * glm::fract(0.06711056f * place.x + 0.00583715f * place.y));
+        float sum = 0.0f;
+        for (int i = 0; i < kSamples; ++i)
+        {
+            const float angle = turn + kGoldenAngle * static_cast<float>(i);
+            const float radius = m_radius * std::sqrt((static_cast<float>(i) + 0.5f) / kSamples);
+            sum += bilinear(q, radius * glm::vec2(std::cos(angle), std::sin(angle)));
+        }
+        return sum / kSamples;
+    }
+
+private:
+    float m_radius;
+};
+
+Technique depths(const std::string& name, bool peer, const std::string& estimate,
+                 std::function<std::unique_ptr<Estimator>(const Map&)> prepare)
+{
+    Technique technique{name, peer, peer ? 32 : 0, 1, Format::Fp32, false, std::move(prepare), estimate};
+    technique.reading = Reading::Window;
+    return technique;
+}
+
+std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
+{
+    return [plane](const Map& map)
+    {
+        return std::make_unique<WholeWindow>(map.kernel, plane);
+    };
+}
+
+} // namespace
+
+std::vector<Technique> pcfPeers()
+{
+    return {depths("PCF, whole window", true, "PCF whole window", whole(true)),
+            depths("PCF, 16 turned samples", true, "",
+                   [](const Map& map) { return std::make_unique<Disc>(static_cast<float>(deviationOf(map.kernel))); }),
+            depths("PCF, 3 x 3", true, "", fixed<Box>(3)), depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
+}
+
+std::vector<Technique> limits()
+{
+    return {depths("limit: exact distribution", false, "", whole(false)),
+            depths("limit: exact, receiver's plane", false, "", whole(true))};
+}
+
+} // namespace lvsm::quality
