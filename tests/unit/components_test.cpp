@@ -450,5 +450,40 @@ TEST_CASE("simplifyMixture sees the whole where no pair shows it: rough taps at 
     CHECK(mixture.components[1].weight == 0.0);
 }
 
+TEST_CASE("taps and slopes end where their ranges do")
+{
+    CHECK(
+        isSame(tapComponent(0.25), MixtureComponent<double>{1.0, {0.0, 0.0}, 0.25, {0.0, 0.0, 0.0}, {0.0, 0.0}, 0.0}));
+    CHECK(isSame(tapComponent(-2.0), tapComponent(0.0)));
+    CHECK(isSame(tapComponent(2.0), tapComponent(1.0)));
+    CHECK(isSame(slopedComponent(-2.0, Vec2<double>(-3.0, 3.0)), slopedComponent(0.0, Vec2<double>(-1.0, 1.0))));
+    CHECK(isSame(slopedComponent(2.0, Vec2<double>(3.0, -3.0)), slopedComponent(1.0, Vec2<double>(1.0, -1.0))));
+    MixtureComponent<double> steep = tapComponent(0.5);
+    steep.spread = {1.0, 0.0, 1.0};
+    steep.tilt = {200.0, -200.0};
+    CHECK(componentSlope(steep) == Vec2<double>(1.0, -1.0));
+    steep.tilt = {-200.0, 200.0};
+    CHECK(componentSlope(steep) == Vec2<double>(-1.0, 1.0));
+    const MixtureComponent<double> none = mergeComponents(tap(0.0, 1.0, 2.0, 0.3), tap(0.0, 5.0, 5.0, 0.6));
+    CHECK(isSame(none, tap(0.0, 1.0, 2.0, 0.3)));
+}
+
+TEST_CASE("a component's own deviation is no cost of merging it")
+{
+    // The two flat ones would cost 0.025; the rough one, a deviation of 0.1 at the first's depth, costs 0.0104 with it.
+    MixtureComponent<double> rough = tap(0.25, 0.0, 0.0, 0.2);
+    rough.variance = 0.01;
+    Mixture<double> mixture{{tap(0.25, 0.0, 0.0, 0.2), tap(0.25, 0.0, 0.0, 0.3), {}, {}}};
+    insertComponent(mixture, rough, 2);
+    CHECK(mixture.components[0].weight == 0.5);
+    CHECK(mixture.components[1].depth == 0.3);
+
+    // Two rough ones of one depth are one, beside a third elsewhere.
+    Mixture<double> three{{rough, tap(0.5, 0.0, 0.0, 0.9), rough, {}}};
+    simplifyMixture(three, 4);
+    CHECK(three.components[0].weight == 0.5);
+    CHECK(three.components[2].weight == 0.0);
+}
+
 } // namespace
 } // namespace lvsm::unit
