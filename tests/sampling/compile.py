@@ -144,9 +144,10 @@ def refusals(compilers):
     yield compilers.hlsl("cs_6_0", "lvsm_storeCompute", "lvsm/passes/store.hlsl", "#define LVSM_STORE_TARGET u4\n",
                          refusal="define all of")
     technique = "#define LVSM_STORE(depth, slice) lvsm_exponentialMoments(depth, {}(42.0, 10.0))\n"
-    yield compilers.glsl(".comp", pass_text("store.comp", "450", technique.format("vec2")), refusal="LVSM_STORE_LARGEST")
+    yield compilers.glsl(".comp", pass_text("store.comp", "450", technique.format("vec2")),
+                         refusal="define LVSM_STORE_LARGEST")
     yield compilers.hlsl("cs_6_0", "lvsm_storeCompute", "lvsm/passes/store.hlsl", technique.format("float2"),
-                         refusal="LVSM_STORE_LARGEST")
+                         refusal="define LVSM_STORE_LARGEST")
 
 
 def bindings_are_the_users(compilers):
