@@ -57,7 +57,7 @@ inline DepthBlock pointDepths(float nearPlane, float farPlane, bool reversed, fl
     DepthBlock block = perspectiveDepths(nearPlane, farPlane, reversed, nearDistance, farDistance);
     const int corner[] = {map.x, map.y};
     const int size[] = {map.width, map.height};
-    for (int i = 0; i < 2; ++i)
+    for (glm::vec2::length_type i = 0; i < 2; ++i)
     {
         const float extent = static_cast<float>(detail::maximum(size[i], 1));
         block.tangents[i] = 2.0f * tangents[i] / extent;

@@ -52,7 +52,7 @@ inline FusedPasses fusedPasses(const BlurKernel& kernel, const float* splits, in
     passes.store = storePass(splits, layerCount, overlap, blur.across.region, firstSlice);
     passes.store.groups = {(passes.store.region.width + kFusedGroupWidth - 1) / kFusedGroupWidth,
                            (passes.store.region.height + kFusedGroupHeight - 1) / kFusedGroupHeight, 1};
-    for (int c = 0; c < 4; ++c)
+    for (glm::vec4::length_type c = 0; c < 4; ++c)
         passes.fused.border[c] = border[c];
     detail::storeEnds(passes.fused.map, map);
     passes.fused.sliceCount = slices;
