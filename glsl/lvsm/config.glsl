@@ -16,7 +16,10 @@
 #endif
 
 // Keeps M2 - M1^2, which cancels, and sums that could overflow from being reassociated or contracted. A client may
-// define it empty: sums of values in their documented range come out the same.
+// define it empty: sums of values in their documented range come out the same. It is empty where GLSL has no word for
+// it, before 4.00 and ES 3.20. A flat occluder's variance may then be up to 2^-24 M1^2 and not 0, which a minVariance
+// from 2^-24 = 6e-8 on covers, or the bias of four moments; without them there may be light right behind the occluder.
+// And a receiver that is a line in the map may have any gradient.
 #ifndef LVSM_PRECISE
 #if defined(GL_ES)
 #if __VERSION__ >= 320

@@ -86,7 +86,8 @@ T chebyshevMass(T mass, T m1, T m2, T t, T minVariance)
     const T v = maximum(mass * minVariance, rounded(mass * m2) - rounded(m1 * m1));
     const T d = mass * t - m1;
     const T tail = clamp(v / maximum(kTiny<T>, v + d * d), T(0), T(1));
-    return d > T(0) ? mass * tail : mass;
+    // Rounded, so that the lesser of this and another bound is never more than this.
+    return d > T(0) ? rounded(mass * tail) : mass;
 }
 
 } // namespace detail
@@ -151,7 +152,8 @@ T bracketedBoundedVisibility(const glm::vec<2, T, Q>& front, const glm::vec<2, T
     const T t = layerWarp(depth, interval);
     const T tail = detail::chebyshevMass(left.y, left.z, left.w, t, floor);
     const T inverse = T(1) / detail::maximum(kTiny<T>, t);
-    const T parabolas = (detail::minimum(left.z, left.z * t + (left.z - left.w)) + T(2.25) * floor * inverse) * inverse;
+    const T second = left.z * t + detail::rounded(left.z - left.w);
+    const T parabolas = (detail::minimum(left.z, second) + T(2.25) * floor * inverse) * inverse;
     const T share = t > T(0) ? detail::minimum(tail, parabolas) : left.y;
     return detail::clamp(left.x + share, T(0), T(1));
 }

@@ -92,7 +92,10 @@ glm::vec<4, T> fourierCosines(T depth, int first, int order)
 template <typename T, glm::qualifier Q>
 glm::vec<4, T, Q> encodeFourier(const glm::vec<4, T, Q>& terms)
 {
-    const auto encode = [](T x) { return (T(127) * detail::clamp(x, T(-1), T(1)) + T(128)) / T(255); };
+    // At most 1 also where -ffast-math multiplies by a rounded inverse.
+    const auto encode = [](T x) {
+        return detail::minimum(T(1), (T(127) * detail::clamp(x, T(-1), T(1)) + T(128)) / T(255));
+    };
     return {encode(terms.x), encode(terms.y), encode(terms.z), encode(terms.w)};
 }
 

@@ -167,9 +167,11 @@ T bilinearVisibility(const glm::vec<4, T, Q>& corners, const glm::vec<2, T, Q>& 
 {
     const T x = detail::clamp(fraction.x, T(0), T(1));
     const T y = detail::clamp(fraction.y, T(0), T(1));
-    const T top = detail::clamp(corners.x, T(0), T(1)) * (T(1) - x) + detail::clamp(corners.y, T(0), T(1)) * x;
-    const T bottom = detail::clamp(corners.z, T(0), T(1)) * (T(1) - x) + detail::clamp(corners.w, T(0), T(1)) * x;
-    return detail::clamp(top * (T(1) - y) + bottom * y, T(0), T(1));
+    // Rounded: made one with the products, it would cancel where x is 1.
+    const T left = detail::rounded(T(1) - x);
+    const T top = detail::clamp(corners.x, T(0), T(1)) * left + detail::clamp(corners.y, T(0), T(1)) * x;
+    const T bottom = detail::clamp(corners.z, T(0), T(1)) * left + detail::clamp(corners.w, T(0), T(1)) * x;
+    return detail::clamp(top * detail::rounded(T(1) - y) + bottom * y, T(0), T(1));
 }
 
 } // namespace lvsm

@@ -66,7 +66,9 @@ template <typename T = float>
 T uniformSplit(int index, int layerCount)
 {
     const int count = detail::clamp(layerCount, 1, kMaxUniformLayers);
-    return index >= count ? T(1) : static_cast<T>(detail::maximum(index, 0)) / static_cast<T>(count);
+    // Rounded, so that it is the same number wherever it is worked out.
+    const T length = detail::rounded(static_cast<T>(count));
+    return index >= count ? T(1) : detail::rounded(static_cast<T>(detail::maximum(index, 0)) / length);
 }
 
 /// Layer that holds a depth, for layers of equal length.
@@ -171,7 +173,8 @@ T blendTransition(T visibility, T neighbour, T weight)
 {
     using glm::abs;
     const T share = detail::minimum(T(1), abs(weight));
-    return detail::clamp(visibility, T(0), T(1)) * (T(1) - share) + detail::clamp(neighbour, T(0), T(1)) * share;
+    const T rest = detail::rounded(T(1) - share);
+    return detail::clamp(visibility, T(0), T(1)) * rest + detail::clamp(neighbour, T(0), T(1)) * share;
 }
 
 } // namespace lvsm

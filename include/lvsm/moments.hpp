@@ -112,7 +112,7 @@ T boundedUpperBound(const glm::vec<2, T, Q>& moments, T t, T minVariance)
     const T at = detail::clamp(t, T(0), T(1));
     const T inverse = T(1) / detail::maximum(kTiny<T>, at);
     const T room = T(2.25) * detail::clamp(minVariance, T(0), T(1)) * inverse;
-    const T parabolas = (detail::minimum(m1, m1 * at + (m1 - m2)) + room) * inverse;
+    const T parabolas = (detail::minimum(m1, m1 * at + detail::rounded(m1 - m2)) + room) * inverse;
     return t > T(0) ? detail::clamp(detail::minimum(tail, parabolas), T(0), T(1)) : T(1);
 }
 

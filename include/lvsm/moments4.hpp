@@ -94,15 +94,15 @@ glm::vec<4, T, Q> orthogonalise(const glm::vec<4, T, Q>& moments, T bias)
     const T even1 = clamp(moments.y, T(0), T(1));
     const T odd2 = clamp(moments.z, T(-1), T(1));
     const T even2 = clamp(moments.w, T(0), T(1));
-    const T b1 = odd1 - share * odd1;
-    const T b2 = even1 + share * (T(0.63) - even1);
-    const T b3 = odd2 - share * odd2;
-    const T b4 = even2 + share * (T(0.63) - even2);
+    const T b1 = odd1 - rounded(share * odd1);
+    const T b2 = even1 + share * rounded(T(0.63) - even1);
+    const T b3 = odd2 - rounded(share * odd2);
+    const T b4 = even2 + share * rounded(T(0.63) - even2);
     const T v = maximum(maximum(T(9.0949470177292824e-13), T(0.63) * share), rounded(b2) - rounded(b1 * b1));
     const T e = rounded(b3) - rounded(b1 * b2);
     const T slope = e / v;
     const T least = maximum(T(8.6736173798840355e-19), T(0.2331) * share);
-    const T d = clamp((rounded(b4) - rounded(b2 * b2)) - e * slope, least, T(1));
+    const T d = clamp(rounded(rounded(b4) - rounded(b2 * b2)) - rounded(e * slope), least, T(1));
     return {b1, v, clamp(slope - (b1 + b1), T(-2), T(2)), d};
 }
 

@@ -71,8 +71,10 @@ glm::vec<2, T, Q> pcfAdd(const glm::vec<2, T, Q>& sum, const glm::vec<4, T, Q>& 
                               detail::pcfWeight(weights.z), detail::pcfWeight(weights.w));
     const glm::vec<4, T, Q> lit = detail::depthTests(depths, receivers, bias);
     const T limit = T(0.5) * kHuge<T>;
-    return {detail::clamp(sum.x, T(0), limit) + (w.x * lit.x + w.y * lit.y + w.z * lit.z + w.w * lit.w),
-            detail::clamp(sum.y, T(0), limit) + (w.x + w.y + w.z + w.w)};
+    const auto add = [](T a, T b) { return detail::rounded(a + b); };
+    const T newLit = add(add(add(w.x * lit.x, w.y * lit.y), w.z * lit.z), w.w * lit.w);
+    return {detail::clamp(sum.x, T(0), limit) + newLit,
+            detail::clamp(sum.y, T(0), limit) + add(add(add(w.x, w.y), w.z), w.w)};
 }
 
 /// Visibility from the sums of pcfAdd.

@@ -42,9 +42,12 @@ template <typename T, glm::qualifier Q>
 glm::vec<2, T, Q> neighbourhoodMoments(const glm::vec<2, T, Q>& m00, const glm::vec<2, T, Q>& m10,
                                        const glm::vec<2, T, Q>& m01, const glm::vec<2, T, Q>& m11)
 {
-    const auto quarter = [](T x) { return detail::rounded(T(0.25) * x); };
-    return {quarter(m00.x) + quarter(m10.x) + quarter(m01.x) + quarter(m11.x),
-            quarter(m00.y) + quarter(m10.y) + quarter(m01.y) + quarter(m11.y)};
+    const auto average = [](T a, T b, T c, T d) {
+        const T quarter = T(0.25);
+        const T two = detail::rounded(detail::rounded(quarter * a) + detail::rounded(quarter * b));
+        return detail::rounded(two + detail::rounded(quarter * c)) + detail::rounded(quarter * d);
+    };
+    return {average(m00.x, m10.x, m01.x, m11.x), average(m00.y, m10.y, m01.y, m11.y)};
 }
 
 /// Depth of the second occluder of a neighbourhood: the mean plus the standard deviation.

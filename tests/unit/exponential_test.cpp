@@ -158,7 +158,9 @@ TEST_CASE_TEMPLATE("exponential visibility bounds the lit share of every distrib
         for (int i = 0; i < 10000; ++i)
         {
             const Distribution<T> window(random);
-            const T minVariance = i % 2 == 0 ? T(0) : T(1.0e-5);
+            // With -ffast-math exp is not the same everywhere, in vectors and alone, which a floor bears; where it is no
+            // subnormal number, which counts as 0 there.
+            const T minVariance = kFastMath ? T(1.0e-3) : i % 2 == 0 ? T(0) : T(1.0e-5);
             const ExactMoments p = window.moments(rising);
             const ExactMoments n = window.moments(falling);
             const Vec4<T> stored(T(p.mean), T(p.second), T(n.mean), T(n.second));
@@ -211,6 +213,7 @@ TEST_CASE_TEMPLATE("a flat lit receiver stays lit at every depth and exponent", 
 
 TEST_CASE_TEMPLATE("exponentialVisibility4 is the lesser of the bounds of its two warps", T, float, double)
 {
+    LVSM_NOT_WITH_FAST_MATH("exp is not the same everywhere");
     Random random(42);
     Tally tally;
     int positiveIsLess = 0;
@@ -347,7 +350,7 @@ TEST_CASE("the largest exponent keeps the bound's divisor within 2^126 and its s
     }
     // What fp32 can store at all: past ln(FLT_MAX) / 2 no square is finite.
     const float above = std::exp(static_cast<float>(std::log(static_cast<double>(kLargestFp32<float>)) / 2 + 1.0e-5));
-    CHECK(std::isinf(above * above));
+    CHECK(!isFinite(above * above));
 }
 
 TEST_CASE("the largest exponent's moments are finite in fp16, head room and its roundings included")
@@ -359,11 +362,11 @@ TEST_CASE("the largest exponent's moments are finite in fp16, head room and its 
         const double c = maxExponent(kLargestFp16<double>, headRoom);
         const double stored = toFp16(exponentialMoments(1.0, Vec2<double>(c, c)).y);
         CAPTURE(samples);
-        CHECK(std::isfinite(toFp16(samples * stored)));
-        CHECK(std::isinf(toFp16(samples * toFp16(exponentialMoments(1.0, Vec2<double>(c + 0.002, c)).y))));
+        CHECK(isFinite(toFp16(samples * stored)));
+        CHECK(!isFinite(toFp16(samples * toFp16(exponentialMoments(1.0, Vec2<double>(c + 0.002, c)).y))));
     }
     const auto c = static_cast<float>(maxExponent(kLargestFp16<float>, 1.0f));
-    CHECK(std::isfinite(toFp16(static_cast<double>(exponentialMoments(1.0f, Vec2<float>(c, c)).y))));
+    CHECK(isFinite(toFp16(static_cast<double>(exponentialMoments(1.0f, Vec2<float>(c, c)).y))));
 }
 
 TEST_CASE("an unnormalised filter sum stays finite with its head room")

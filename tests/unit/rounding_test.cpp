@@ -19,10 +19,10 @@ T stored(T x)
     return memory;
 }
 
-template <int N, typename T>
+template <glm::length_t N, typename T>
 glm::vec<N, T> stored(glm::vec<N, T> x)
 {
-    for (int i = 0; i < N; ++i)
+    for (glm::length_t i = 0; i < N; ++i)
         x[i] = stored(x[i]);
     return x;
 }
@@ -89,6 +89,49 @@ TEST_CASE_TEMPLATE("a flat occluder is dark right behind it, without a floor", T
     CHECK(mostBehindFlat<T>([&](T z, T t, bool fromMemory)
                             { return momentVisibility4(filtered(depthMoments4(z), fromMemory), t, T(0)); }) <
           T(2.3e-5));
+}
+
+// What a shader may make of M2 - M1^2 where LVSM_PRECISE is empty: one operation, which rounds once.
+float contractedVariance(const Vec2<float>& moments, float minVariance)
+{
+    return std::max(std::fma(-moments.x, moments.x, moments.y), minVariance);
+}
+
+TEST_CASE("a floor of 2^-24 covers contraction: a flat occluder is as dark with it as without")
+{
+    const float floor = 0x1p-24f;
+    float largest = 0;
+    Tally tally;
+    for (int i = 0; i <= 1 << 20; ++i)
+    {
+        const Vec2<float> moments = stored(depthMoments(stored(static_cast<float>(i) * 0x1p-20f)));
+        tally.claim(contractedVariance(moments, floor) == variance(moments, floor), moments.x);
+        largest = std::max(largest, contractedVariance(moments, 0.0f));
+    }
+    LVSM_CHECK_TALLY(tally);
+    // One of 2^-26 would not: half a unit in the last place of a square is up to 2^-25.
+    CHECK(largest > 0x1p-26f);
+}
+
+TEST_CASE("contraction moves the variance of any window by 2^-24 of the squared mean at most")
+{
+    Random random(16);
+    Tally tally;
+    for (int i = 0; i < 100000; ++i)
+    {
+        const float mean = random.unit<float>();
+        const Vec2<float> moments(mean, mean * mean + random.unit<float>() * (mean - mean * mean));
+        const Exact change = Exact(contractedVariance(moments, 0.0f)) - Exact(variance(moments, 0.0f));
+        // And half a unit in the last place of each of the two differences.
+        const Exact rounding = kRoundoff<float> * 2 * Exact(variance(moments, 0.0f));
+        tally.claim(std::abs(change) <= 0x1p-24L * Exact(mean) * Exact(mean) + rounding, moments.x, moments.y, change);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("the bias of four moments in fp32 covers contraction, too")
+{
+    CHECK(0.63f * kMoment4BiasFp32<float> > 0x1p-24f);
 }
 
 TEST_CASE_TEMPLATE("a flat neighbourhood is no occluder's edge", T, float, double)

@@ -458,7 +458,7 @@ TEST_CASE_TEMPLATE("finite moments keep a finite variance and weight", T, float,
         const T floor = random.finitePattern<T>();
         const T most = random.finitePattern<T>();
         const T v = variance(moments, floor);
-        tally.claim(std::isfinite(v) && v >= floor && v >= T(0), moments.x, moments.y, floor);
+        tally.claim(isFinite(v) && v >= floor && v >= T(0), moments.x, moments.y, floor);
         const T weight = occluderWeight(moments, floor, most);
         tally.claim(weight >= T(0) && weight <= std::max(most, T(0)), moments.x, moments.y, floor, most);
     }
@@ -497,10 +497,10 @@ TEST_CASE_TEMPLATE("sums and averages of finite values stay finite", T, float, d
     for (int i = 0; i < 100000; ++i)
     {
         const Vec2<T> average = neighbourhoodMoments(any(), any(), any(), any());
-        tally.claim(std::isfinite(average.x) && std::isfinite(average.y), i);
+        tally.claim(isFinite(average.x) && isFinite(average.y), i);
         const Vec4<T> sums = accumulateSplits(random.finitePattern<T>(), random.finitePattern<T>(), 1, 1, 1);
         for (int k = 0; k < 4; ++k)
-            tally.claim(std::isfinite(sums[k]), i);
+            tally.claim(isFinite(sums[k]), i);
     }
     LVSM_CHECK_TALLY(tally);
 }
