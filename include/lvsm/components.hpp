@@ -109,8 +109,8 @@ glm::vec<2, T> slopeOf(const MixtureComponent<T>& c)
 template <typename T, glm::qualifier Q>
 T residualOf(const MixtureComponent<T>& c, const glm::vec<2, T, Q>& g)
 {
-    const T x = g.x * (g.x * c.spread.x + g.y * c.spread.y - T(2) * c.tilt.x);
-    const T y = g.y * (g.x * c.spread.y + g.y * c.spread.z - T(2) * c.tilt.y);
+    const T x = g.x * rounded(rounded(g.x * c.spread.x + g.y * c.spread.y) - T(2) * c.tilt.x);
+    const T y = g.y * rounded(rounded(g.x * c.spread.y + g.y * c.spread.z) - T(2) * c.tilt.y);
     return maximum(T(0), c.variance + rounded(rounded(x) + rounded(y)));
 }
 

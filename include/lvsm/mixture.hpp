@@ -447,9 +447,9 @@ glm::vec<2, T> lightOfPlane(const MixturePlane<T>& p, const glm::vec<2, T>& f, c
     const T y = offY - clamp(offY, -p.range.y, p.range.y);
     const T across = x * p.spread.x + y * p.spread.y;
     const T along = x * p.spread.y + y * p.spread.z;
-    const T own = depth + rounded(g.x * (p.place.x - f.x) + g.y * (p.place.y - f.y));
-    const T behind = (p.depth - own) + (across * moved.x + along * moved.y);
-    const T variance = maximum(T(1.0e-10), (across * x + along * y) + p.deviation * p.deviation);
+    const T own = rounded(depth + rounded(g.x * (p.place.x - f.x) + g.y * (p.place.y - f.y)));
+    const T behind = rounded(p.depth - own) + rounded(across * moved.x + along * moved.y);
+    const T variance = maximum(T(1.0e-10), rounded(across * x + along * y) + p.deviation * p.deviation);
     const T lit = T(0.5) + (behind + T(0.6) * p.deviation + bias) / sqrt(T(12) * variance);
     return {clamp(lit, T(0), T(1)), behind};
 }

@@ -227,6 +227,7 @@ TEST_CASE("mergePrice of two lone taps of one place is half their distance, less
 
 TEST_CASE("insertComponent merges the first of equal prices, and its count is the limit")
 {
+    LVSM_NOT_WITH_FAST_MATH("prices that are equal may differ by a rounding");
     Mixture<double> mixture{};
     for (const double weight : {0.5, 0.25, 0.125, 0.0625, 0.03125})
         insertComponent(mixture, tap(weight, 0.0, 0.0, 0.5), 4);

@@ -69,8 +69,11 @@ TEST_CASE_TEMPLATE("components, offsets and shifts beyond 1e18 count as 1e18", T
         near(receiverGradient(Vec3<T>(0, 1, 0), Vec3<T>(sign * far, 0, quarter)), T(0.25), 0);
         near(receiverGradient(Vec3<T>(1, 0, 0), Vec3<T>(0, sign * far, quarter)), 0, T(0.25));
         // Of two that cancel in part the larger is cut to twice the half of the other.
-        CHECK(receiverGradient(Vec3<T>(limit, half, sign * far), Vec3<T>(0, 1, sign * limit)).x == sign * half);
-        CHECK(receiverGradient(Vec3<T>(1, 0, sign * limit), Vec3<T>(half, limit, sign * far)).y == sign * half);
+        const T byInverse = kFastMath ? half * 3 * static_cast<T>(kRoundoff<T>) : T(0);
+        const T x = receiverGradient(Vec3<T>(limit, half, sign * far), Vec3<T>(0, 1, sign * limit)).x;
+        const T y = receiverGradient(Vec3<T>(1, 0, sign * limit), Vec3<T>(half, limit, sign * far)).y;
+        CHECK(std::abs(x - sign * half) <= byInverse);
+        CHECK(std::abs(y - sign * half) <= byInverse);
 
         const T small = T(0x1p-62);
         const T reached = T(0.5) + sign * limit * small;
