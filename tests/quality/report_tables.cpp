@@ -152,9 +152,11 @@ struct Best
         std::size_t won = 0;
         for (const auto& [scene, error] : ours->scenes)
         {
-            const double against = error / std::max(peer->scenes.at(scene), 1e-9);
+            const double others = peer->scenes.at(scene);
+            const double against = error / std::max(others, 1e-9);
             won += against < 1.0;
-            if (against > most)
+            // To a peer that is as good as exact no ratio means anything.
+            if (others > 1e-3 && against > most)
             {
                 most = against;
                 worst = scene;
