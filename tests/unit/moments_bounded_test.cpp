@@ -90,6 +90,14 @@ TEST_CASE_TEMPLATE("boundedUpperBound is exact for samples at 0 and 1 alone", T,
     CHECK(boundedUpperBound(Vec2<T>(T(0.5), T(0.5)), T(0.625), T(0)) == T(0.5));
 }
 
+TEST_CASE_TEMPLATE("boundedUpperBound adds 9/4 of the floor over t^2 to what samples at 0 and 1 give", T, float, double)
+{
+    const Vec2<T> moments(T(0.25), T(0.25));
+    CHECK(boundedUpperBound(moments, T(0.8), T(0.001)) == doctest::Approx(0.25 + 2.25 * 0.001 / 0.64));
+    // Less than no floor counts as none.
+    CHECK(boundedUpperBound(moments, T(0.8), T(-0.5)) == doctest::Approx(0.25));
+}
+
 // With an error e of each moment and a floor of e^2 (1 - D) / D: Cantelli's bound loses at most D, and the parabolas
 // lose at most e^2 / minVariance, which is D / (1 - D).
 TEST_CASE("boundedUpperBound keeps flat lit surfaces lit by the floor of Chebyshev's bound")

@@ -309,8 +309,10 @@ TEST_CASE_TEMPLATE("the upper bound never darkens a receiver that is close to th
     for (const T variance : {T(0), kTiny<T> / 64, kTiny<T> / 2})
     {
         const Vec2<T> moments(0, variance);
+        CHECK(chebyshevUpperBound(moments, T(0x1p-63), T(0)) == 1);
         CHECK(chebyshevUpperBound(moments, T(0x1p-64), T(0)) == 1);
         CHECK(chebyshevUpperBound(moments, T(0x1p-100), T(0)) == 1);
+        CHECK(chebyshevLowerBound(moments, -T(0x1p-63), T(0)) == 0);
         CHECK(chebyshevLowerBound(moments, -T(0x1p-64), T(0)) == 0);
     }
 }
