@@ -1,6 +1,6 @@
 // Links the one-file passes and the wrappers in WebGL2, and samples a map of 8 x 8 dark texels at and beyond its edge.
-const HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
-const VERTEX = `${HEAD}void main() { gl_PointSize = 1.0; gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }\n`;
+import {HEAD, program, text} from "./webgl.js";
+
 // What is read, and what it has to be. A box of 9 texels around the middle of the edge covers 4.5 of them across and all
 // 8 down. A gather between rows 3 and 4 has the border left, in its texels (0,0) and (0,1), and the map right.
 const SAMPLES = [
@@ -11,20 +11,6 @@ const SAMPLES = [
     ["gatherMap at the edge", "dot(lvsm_gatherMap(map, vec2(0.0, 0.5), 1.0), vec4(0.1, 0.2, 0.3, 0.4))", 0.1 + 0.3],
 ];
 
-function program(gl, fragment) {
-    const made = gl.createProgram();
-    for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment]]) {
-        const shader = gl.createShader(type);
-        gl.shaderSource(shader, source);
-        gl.compileShader(shader);
-        gl.attachShader(made, shader);
-    }
-    gl.linkProgram(made);
-    if (!gl.getProgramParameter(made, gl.LINK_STATUS))
-        throw new Error(`does not link: ${gl.getProgramInfoLog(made)}`);
-    return made;
-}
-
 function makeTexture(gl, format) {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -33,10 +19,6 @@ function makeTexture(gl, format) {
                                  ["WRAP_T", "CLAMP_TO_EDGE"]])
         gl.texParameteri(gl.TEXTURE_2D, gl[`TEXTURE_${name}`], gl[value]);
     return texture;
-}
-
-async function text(name) {
-    return (await fetch(`/single/${name}`)).text();
 }
 
 // What was sampled, the answer, and the answer that is right.
