@@ -4,6 +4,7 @@
 // fetch. Moments are given what suits them best in each scene of 5 shifts and 6 reductions of light bleeding; they are
 // fetched by bilinear filtering, quantised ones decoded four times. Truth is plane PCF of the same window, moved as a
 // bilinear fetch moves it. Rows of half resolution keep one value for 2 x 2 texels.
+#include "../unit/windows.hpp"
 #include "mixture_map.hpp"
 
 #include "scenes_mesh.hpp"
@@ -39,25 +40,6 @@ struct Receiver
     float facing;
     float visibility;
 };
-
-// Weights of the tree's window along an axis.
-std::vector<float> kernelOf(int rounds)
-{
-    std::vector<float> kernel{1.0f};
-    for (int round = 0; round < rounds; ++round)
-    {
-        const std::size_t step = std::size_t(1) << round;
-        std::vector<float> wider(kernel.size() + 2 * step);
-        for (std::size_t i = 0; i < kernel.size(); ++i)
-        {
-            wider[i] += 0.25f * kernel[i];
-            wider[i + step] += 0.5f * kernel[i];
-            wider[i + 2 * step] += 0.25f * kernel[i];
-        }
-        kernel = wider;
-    }
-    return kernel;
-}
 
 // A quarter of all light-facing surfaces, each somewhere within its texel.
 std::vector<Receiver> receiversOf(const Peel& peel, const std::vector<float>& kernel)
@@ -267,7 +249,8 @@ double bestError(const Table& table, const std::vector<Receiver>& receivers, con
 
 void measure(const Peel& peel, int rounds, Table& table)
 {
-    const std::vector<float> kernel = kernelOf(rounds);
+    const std::vector<double> weights = unit::treeKernel(rounds);
+    const std::vector<float> kernel(weights.begin(), weights.end());
     const std::vector<Receiver> receivers = receiversOf(peel, kernel);
     const DepthAt depth = [&](int x, int y)
     {
