@@ -83,10 +83,13 @@ def sources(root):
 
 
 def wrappers(root):
-    """Every sampling wrapper is called by a kernel of its language in tests/sampling, every pass is named there."""
+    """Every sampling wrapper is called by a kernel of its language in tests/sampling, every pass is named there.
+
+    A kernel's .glsl is included by its .hlsl too.
+    """
     tests = root / "tests/sampling"
     code = {language: "".join(path.read_text() for path in sorted(tests.glob("kernels/*")) if path.suffix in suffixes)
-            for language, suffixes in (("glsl", (".comp", ".frag", ".glsl")), ("hlsl", (".hlsl", ".hlsli")))}
+            for language, suffixes in (("glsl", (".comp", ".frag", ".glsl")), ("hlsl", (".hlsl", ".hlsli", ".glsl")))}
     programs = "".join(path.read_text() for path in sorted(tests.glob("*.cpp")) + sorted(tests.glob("*.py")))
     for language in ("glsl", "hlsl"):
         for path in sorted(path for path in (root / language / "lvsm/sampling").rglob("*") if path.is_file()):

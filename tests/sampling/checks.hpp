@@ -56,6 +56,8 @@ private:
 
 bool checkWrappers(VulkanContext& context, const Form& form);
 bool checkBorders(VulkanContext& context, const Form& form);
+bool checkAtlas(VulkanContext& context, const Form& form);
+bool checkCube(VulkanContext& context, const Form& form);
 bool checkBlurredEsm(VulkanContext& context, const Form& form);
 bool checkBlur(VulkanContext& context, const Form& form);
 bool checkLitGround(VulkanContext& context, const Form& form);

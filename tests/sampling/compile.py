@@ -29,8 +29,9 @@ void main()
     float splits[LVSM_MAX_LAYERS + 1];
     for (int i = 0; i <= LVSM_MAX_LAYERS; ++i)
         splits[i] = uv.x + float(i);
-    result = vec4(lvsm_sampleEsm(map, map, uv, uv, uv, uv.x, uv.y, 0.1), lvsm_samplePcf(map, uv, 3.0, uv.x, uv, 0.0),
-                  lvsm_sampleLayers(layers, uv, uv, uv, uv.x, splits, 4, 0.1, 0.1, uv.y), uv.x * uv.y);
+    lvsm_MapPoint at = lvsm_mapPoint(uv, uv, uv, 1);
+    result = vec4(lvsm_sampleEsm(layers, layers, at, uv.x, uv.y, 0.1), lvsm_samplePcf(layers, at, uv.x, uv, 3.0, 0.0, 0.0),
+                  lvsm_sampleLayers(layers, at, uv.x, splits, 4, 0.1, 0.1, uv.y), lvsm_sampleMap(map, uv, uv, uv, uv.xyxy).x);
 }
 """
 

@@ -92,6 +92,7 @@ def hlsl(text):
     # HLSL has no precision to ask for.
     text = text.replace('#include "highp.glsl"\n\n', "").replace("sampling/highp, ", "")
     text = text.replace("Needs: sampling/highp.", "Needs: no other.")
+    text = re.sub(r"^const ", "static const ", text, flags=re.MULTILINE)
     text = re.sub(r"[A-Za-z0-9]+", word, text.replace("sampler filtering", "SamplerState filtering"))
     return FUNCTION.sub(lambda m: hlsl_functions(m[0]), text)
 

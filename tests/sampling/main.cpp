@@ -66,6 +66,8 @@ using Check = bool (*)(sampling::VulkanContext&, const sampling::Form&);
 
 const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappers},
                                               {"borders", sampling::checkBorders},
+                                              {"atlas", sampling::checkAtlas},
+                                              {"cube", sampling::checkCube},
                                               {"esm_of_blurred_map", sampling::checkBlurredEsm},
                                               {"blur", sampling::checkBlur},
                                               {"lit_ground_at_edge", sampling::checkLitGround},

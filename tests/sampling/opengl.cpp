@@ -163,11 +163,12 @@ bool checkWrappersOf(const Options& options)
     const std::vector<Receiver> walk = makeWalk();
     receivers.insert(receivers.end(), walk.begin(), walk.end());
     const auto count = static_cast<int>(receivers.size());
-    Pixels inputs(2, count);
+    Pixels inputs(kInputs, count);
     for (int i = 0; i < count; ++i)
     {
-        inputs.at(0, i) = receivers[static_cast<std::size_t>(i)].place();
-        inputs.at(1, i) = receivers[static_cast<std::size_t>(i)].settings();
+        const auto own = inputsOf(receivers[static_cast<std::size_t>(i)], kAlone);
+        for (int k = 0; k < kInputs; ++k)
+            inputs.at(k, i) = own[static_cast<std::size_t>(k)];
     }
     const GLuint made = program(
         {{GL_VERTEX_SHADER, glWholeTarget(options.api)}, {GL_FRAGMENT_SHADER, wrappersText(options)}}, "wrappers");
@@ -175,13 +176,12 @@ bool checkWrappersOf(const Options& options)
     const GLuint target = makeGlTexture(Pixels(count, kResults, 1), true);
     GLint unit = 0;
     for (const auto& [name, pixels] : {std::pair<const char*, const Pixels*>("receivers", &inputs),
-                                       {"map", &maps.depths},
-                                       {"layers", &maps.layers},
-                                       {"terms", &maps.terms},
-                                       {"blurred", &maps.blurred}})
+                                       {"map", &maps.map},
+                                       {"slices", &maps.slices},
+                                       {"unfiltered", &maps.unfiltered}})
     {
         glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
-        makeGlTexture(*pixels, pixels == &maps.layers);
+        makeGlTexture(*pixels, pixels->slices > 1);
         glUniform1i(glGetUniformLocation(made, name), unit++);
     }
     drawToGlSlice(target, 0, count, kResults);

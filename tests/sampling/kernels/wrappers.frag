@@ -2,20 +2,23 @@
 // stands behind a #version, in ES the preamble, and the one-file wrappers.
 uniform highp sampler2D receivers;
 uniform highp sampler2D map;
-uniform highp sampler2DArray layers;
-uniform highp sampler2D terms;
-uniform highp sampler2D blurred;
+uniform highp sampler2DArray slices;
+uniform highp sampler2DArray unfiltered;
 layout(location = 0) out vec4 result;
 
+#define COMPONENTS 4
 #define MAP map
-#define LAYERS layers
-#define ESM blurred, terms
+#define SLICES slices
+#define ESM slices, unfiltered
 CALL_WRAPPERS
 
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    float results[21];
-    callWrappers(texelFetch(receivers, ivec2(0, at.x), 0), texelFetch(receivers, ivec2(1, at.x), 0), results);
+    vec4 inputs[4];
+    for (int i = 0; i < 4; ++i)
+        inputs[i] = texelFetch(receivers, ivec2(i, at.x), 0);
+    float results[RESULTS];
+    callWrappers(inputs, results);
     result = vec4(results[at.y], 0.0, 0.0, 1.0);
 }

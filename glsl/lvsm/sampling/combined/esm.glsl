@@ -5,7 +5,7 @@
 //
 // The fallback judges four texels apart, and so needs them as they were stored: blurred ones hold light from all
 // around, see ESM, section 3.4. Where a map is blurred, keep the unblurred one beside it; where it is not, pass it
-// twice. With no such map there is no fallback to take: exponentialShadow of sampleMap.
+// twice. With no such map there is no fallback to take: exponentialShadow of sampleSlice.
 #ifndef LVSM_SAMPLING_COMBINED_ESM_GLSL
 #define LVSM_SAMPLING_COMBINED_ESM_GLSL
 
@@ -14,19 +14,19 @@
 
 /// Visibility from an exponential shadow map, with the 2x2 filter where the threshold test finds the map at fault.
 /// map: of 1 component or more, occluder terms filtered in any way. unfiltered: the terms as they were stored; map
-/// itself where it has not been blurred. uv: texture coordinates. dx, dy: their change to the next pixel. depth: the
-/// receiver's, in [0,1]. exponent: c as when stored. threshold: of violatesThreshold.
+/// itself where it has not been blurred. at: where, see mapPoint. depth: the receiver's, in [0,1]. exponent: c as when
+/// stored. threshold: of violatesThreshold, which the paper has at 0.02.
 /// Result in [0,1]; 1 half a texel off the map and beyond.
 /// Source: ESM section 3.3.
-float lvsm_sampleEsm(LVSM_HIGHP sampler2D map, LVSM_HIGHP sampler2D unfiltered, vec2 uv, vec2 dx, vec2 dy, float depth,
+float lvsm_sampleEsm(LVSM_HIGHP sampler2DArray map, LVSM_HIGHP sampler2DArray unfiltered, lvsm_MapPoint at, float depth,
                      float exponent, float threshold)
 {
     float empty = lvsm_occluderTerm(1.0, exponent);
-    float occluder = lvsm_sampleMap(map, uv, dx, dy, vec4(empty, empty, empty, empty)).x;
+    float occluder = lvsm_sampleSlice(map, at, 0, vec4(empty, empty, empty, empty)).x;
     if (!lvsm_violatesThreshold(occluder, depth, exponent, threshold))
         return lvsm_exponentialShadow(occluder, depth, exponent);
-    vec2 fraction = lvsm_mapFraction(uv, lvsm_mapSize(unfiltered));
-    return lvsm_exponentialShadow2x2(lvsm_gatherMap(unfiltered, uv, empty), fraction, depth, exponent);
+    vec2 fraction = lvsm_mapFraction(at.uv, lvsm_pointSize(at, lvsm_mapArraySize(unfiltered)));
+    return lvsm_exponentialShadow2x2(lvsm_gatherSlice(unfiltered, at, 0, empty), fraction, depth, exponent);
 }
 
 #endif

@@ -30,14 +30,15 @@ vec4 lvsm_sampleMap(LVSM_HIGHP sampler2D map, vec2 uv, vec2 dx, vec2 dy, vec4 bo
     return lvsm_withBorder(textureGrad(map, uv, dx, dy), border, coverage);
 }
 
-/// Filtered texel of one slice of an array of maps.
-/// map: of 1 component or more. uv: texture coordinates. slice: of the array. dx, dy: change of uv to the next pixel in
-/// x and in y. border: what an empty texel holds.
-/// Result: the sample, blended with border at the edge, and border off the map.
-vec4 lvsm_sampleMapArray(LVSM_HIGHP sampler2DArray map, vec2 uv, int slice, vec2 dx, vec2 dy, vec4 border)
+/// Filtered texel of a slice of a map.
+/// map: of 1 component or more. at: where, see mapPoint. index: of the slice among the map's. border: what an empty
+/// texel holds. Result: the sample, blended with border at the edge, and border off the map.
+vec4 lvsm_sampleSlice(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, int index, vec4 border)
 {
-    float coverage = lvsm_levelCoverage(uv, dx, dy, lvsm_mapArraySize(map));
-    return lvsm_withBorder(textureGrad(map, vec3(uv, float(slice)), dx, dy), border, coverage);
+    vec2 size = lvsm_pointSize(at, lvsm_mapArraySize(map));
+    float coverage = lvsm_levelCoverage(at.uv, at.dx, at.dy, size);
+    vec3 place = vec3(lvsm_pointInTexture(at, size), float(at.slice + index));
+    return lvsm_withBorder(textureGrad(map, place, at.dx * at.rectangle.zw, at.dy * at.rectangle.zw), border, coverage);
 }
 
 // First components of four texels of level 0, clamped to the edge. corner: the texel (0,0) of them. A gather where the
@@ -82,14 +83,26 @@ vec4 lvsm_gatherMap(LVSM_HIGHP sampler2D map, vec2 uv, float border)
     return lvsm_maskCorners(lvsm_fourTexels(map, corner, size), corner, size, border);
 }
 
-/// First components of the four texels around a position in one slice of an array, unfiltered, of level 0.
-/// map: of 1 component or more. uv: texture coordinates. slice: of the array. border: what an empty texel holds.
-/// Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
-vec4 lvsm_gatherMapArray(LVSM_HIGHP sampler2DArray map, vec2 uv, int slice, float border)
+/// First components of the four texels around a point of a map, unfiltered, of level 0.
+/// map: of 1 component or more. at: where, see mapPoint. index: of the slice among the map's. border: what an empty
+/// texel holds. Result: texels (0,0), (1,0), (0,1) and (1,1), border for each that is off the map; see mapFraction.
+vec4 lvsm_gatherSlice(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, int index, float border)
 {
-    vec2 size = lvsm_mapArraySize(map);
-    vec2 corner = lvsm_firstCorner(uv, size);
-    return lvsm_maskCorners(lvsm_fourTexelsArray(map, corner, size, slice), corner, size, border);
+    vec2 whole = lvsm_mapArraySize(map);
+    vec2 size = lvsm_pointSize(at, whole);
+    vec2 corner = lvsm_firstCorner(at.uv, size);
+    vec4 texels = lvsm_fourTexelsArray(map, corner + lvsm_pointOrigin(at, whole), whole, at.slice + index);
+    return lvsm_maskCorners(texels, corner, size, border);
+}
+
+/// One texel of a slice of a map, unfiltered, of level 0.
+/// map: of 1 component or more. at: where, see mapPoint; its coordinates count nothing here. index: of the slice among
+/// the map's. texel: counted from the map's corner; off the map the nearest one on it is read.
+vec4 lvsm_fetchSlice(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, int index, vec2 texel)
+{
+    vec2 whole = lvsm_mapArraySize(map);
+    vec2 place = lvsm_pointOrigin(at, whole) + clamp(texel, vec2(0.0, 0.0), lvsm_pointSize(at, whole) - 1.0);
+    return texelFetch(map, ivec3(ivec2(place), at.slice + index), 0);
 }
 
 #endif

@@ -9,23 +9,26 @@
 #include "../../receiver.hlsli"
 #include "maps.hlsli"
 
-/// Visibility by percentage-closer filtering with a box of any width, over a map of depths.
-/// map: of 1 component or more. uv: texture coordinates. width: of the box in texels, from 1 to 65, clamped to it.
-/// depth: the receiver's, in [0,1]. gradient: of the receiver's depth per texel, see receiverGradient; (0, 0) takes one
-/// depth for all texels. bias: what the receiver is moved towards the light, in [0,1].
-/// Result in [0,1]; 1 where the box is off the map.
+/// Visibility by percentage-closer filtering with a box of any width, or a Gaussian in one, over a map of depths.
+/// map: of 1 component or more. at: where, see mapPoint. depth: the receiver's, in [0,1]. gradient: of the receiver's
+/// depth per texel, see receiverGradient; (0, 0) takes one depth for all texels. width: of the box in texels, from 1 to
+/// 65, clamped to it. deviation: of the Gaussian in texels, at least 1/64; 0 or less takes the box alone. bias: what the
+/// receiver is moved towards the light, in [0,1]. Result in [0,1]; 1 where the box is off the map.
 /// Source: Reeves et al. 1987.
-float lvsm_samplePcf(Texture2D<float> map, SamplerState filtering, float2 uv, float width, float depth,
-                     float2 gradient, float bias)
+float lvsm_samplePcf(Texture2DArray<float> map, SamplerState filtering, lvsm_MapPoint at, float depth, float2 gradient,
+                     float width, float deviation, float bias)
 {
-    float2 size = lvsm_mapSize(map);
+    float2 size = lvsm_pointSize(at, lvsm_mapArraySize(map));
     float extent = clamp(width, 1.0, float(LVSM_MAX_FILTER_SIZE));
-    float2 position = clamp(uv, -65536.0, 65536.0) * size - 0.5;
+    float2 position = clamp(at.uv, -65536.0, 65536.0) * size - 0.5;
     float2 beyond = lvsm_texelsBeyond(position + 0.5, size);
     if (max(beyond.x, beyond.y) >= 0.5 * extent + 0.5)
         return 1.0;
     float2 first = floor(position - 0.5 * extent + 0.5);
     int quads = int(0.5 * ceil(extent)) + 1;
+    float inverse = 1.0 / max(deviation, 0.015625);
+    float falloff = deviation > 0.0 ? -0.5 * inverse * inverse : 0.0;
+    lvsm_MapPoint quad = at;
     float2 sum = float2(0.0, 0.0);
     for (int y = 0; y < quads; ++y)
     {
@@ -33,9 +36,12 @@ float lvsm_samplePcf(Texture2D<float> map, SamplerState filtering, float2 uv, fl
         {
             float2 texel = first + 2.0 * float2(float(x), float(y));
             float2 offset = texel - position;
-            float4 depths = lvsm_gatherMap(map, filtering, (texel + 1.0) / size, 1.0);
+            quad.uv = (texel + 1.0) / size;
+            float4 depths = lvsm_gatherSlice(map, filtering, quad, 0, 1.0);
             float2 across = float2(lvsm_boxWeight(offset.x, extent), lvsm_boxWeight(offset.x + 1.0, extent));
             float2 down = float2(lvsm_boxWeight(offset.y, extent), lvsm_boxWeight(offset.y + 1.0, extent));
+            across *= exp(falloff * (offset.x + float2(0.0, 1.0)) * (offset.x + float2(0.0, 1.0)));
+            down *= exp(falloff * (offset.y + float2(0.0, 1.0)) * (offset.y + float2(0.0, 1.0)));
             float4 receivers = float4(lvsm_planeDepth(depth, gradient, offset),
                                       lvsm_planeDepth(depth, gradient, offset + float2(1.0, 0.0)),
                                       lvsm_planeDepth(depth, gradient, offset + float2(0.0, 1.0)),
@@ -46,17 +52,20 @@ float lvsm_samplePcf(Texture2D<float> map, SamplerState filtering, float2 uv, fl
     return lvsm_pcfVisibility(sum);
 }
 
-float lvsm_samplePcf(Texture2D<float2> map, SamplerState filtering, float2 uv, float width, float depth,
-                     float2 gradient, float bias)
+float lvsm_samplePcf(Texture2DArray<float2> map, SamplerState filtering, lvsm_MapPoint at, float depth,
+                     float2 gradient, float width, float deviation, float bias)
 {
-    float2 size = lvsm_mapSize(map);
+    float2 size = lvsm_pointSize(at, lvsm_mapArraySize(map));
     float extent = clamp(width, 1.0, float(LVSM_MAX_FILTER_SIZE));
-    float2 position = clamp(uv, -65536.0, 65536.0) * size - 0.5;
+    float2 position = clamp(at.uv, -65536.0, 65536.0) * size - 0.5;
     float2 beyond = lvsm_texelsBeyond(position + 0.5, size);
     if (max(beyond.x, beyond.y) >= 0.5 * extent + 0.5)
         return 1.0;
     float2 first = floor(position - 0.5 * extent + 0.5);
     int quads = int(0.5 * ceil(extent)) + 1;
+    float inverse = 1.0 / max(deviation, 0.015625);
+    float falloff = deviation > 0.0 ? -0.5 * inverse * inverse : 0.0;
+    lvsm_MapPoint quad = at;
     float2 sum = float2(0.0, 0.0);
     for (int y = 0; y < quads; ++y)
     {
@@ -64,9 +73,12 @@ float lvsm_samplePcf(Texture2D<float2> map, SamplerState filtering, float2 uv, f
         {
             float2 texel = first + 2.0 * float2(float(x), float(y));
             float2 offset = texel - position;
-            float4 depths = lvsm_gatherMap(map, filtering, (texel + 1.0) / size, 1.0);
+            quad.uv = (texel + 1.0) / size;
+            float4 depths = lvsm_gatherSlice(map, filtering, quad, 0, 1.0);
             float2 across = float2(lvsm_boxWeight(offset.x, extent), lvsm_boxWeight(offset.x + 1.0, extent));
             float2 down = float2(lvsm_boxWeight(offset.y, extent), lvsm_boxWeight(offset.y + 1.0, extent));
+            across *= exp(falloff * (offset.x + float2(0.0, 1.0)) * (offset.x + float2(0.0, 1.0)));
+            down *= exp(falloff * (offset.y + float2(0.0, 1.0)) * (offset.y + float2(0.0, 1.0)));
             float4 receivers = float4(lvsm_planeDepth(depth, gradient, offset),
                                       lvsm_planeDepth(depth, gradient, offset + float2(1.0, 0.0)),
                                       lvsm_planeDepth(depth, gradient, offset + float2(0.0, 1.0)),
@@ -77,17 +89,20 @@ float lvsm_samplePcf(Texture2D<float2> map, SamplerState filtering, float2 uv, f
     return lvsm_pcfVisibility(sum);
 }
 
-float lvsm_samplePcf(Texture2D<float4> map, SamplerState filtering, float2 uv, float width, float depth,
-                     float2 gradient, float bias)
+float lvsm_samplePcf(Texture2DArray<float4> map, SamplerState filtering, lvsm_MapPoint at, float depth,
+                     float2 gradient, float width, float deviation, float bias)
 {
-    float2 size = lvsm_mapSize(map);
+    float2 size = lvsm_pointSize(at, lvsm_mapArraySize(map));
     float extent = clamp(width, 1.0, float(LVSM_MAX_FILTER_SIZE));
-    float2 position = clamp(uv, -65536.0, 65536.0) * size - 0.5;
+    float2 position = clamp(at.uv, -65536.0, 65536.0) * size - 0.5;
     float2 beyond = lvsm_texelsBeyond(position + 0.5, size);
     if (max(beyond.x, beyond.y) >= 0.5 * extent + 0.5)
         return 1.0;
     float2 first = floor(position - 0.5 * extent + 0.5);
     int quads = int(0.5 * ceil(extent)) + 1;
+    float inverse = 1.0 / max(deviation, 0.015625);
+    float falloff = deviation > 0.0 ? -0.5 * inverse * inverse : 0.0;
+    lvsm_MapPoint quad = at;
     float2 sum = float2(0.0, 0.0);
     for (int y = 0; y < quads; ++y)
     {
@@ -95,9 +110,12 @@ float lvsm_samplePcf(Texture2D<float4> map, SamplerState filtering, float2 uv, f
         {
             float2 texel = first + 2.0 * float2(float(x), float(y));
             float2 offset = texel - position;
-            float4 depths = lvsm_gatherMap(map, filtering, (texel + 1.0) / size, 1.0);
+            quad.uv = (texel + 1.0) / size;
+            float4 depths = lvsm_gatherSlice(map, filtering, quad, 0, 1.0);
             float2 across = float2(lvsm_boxWeight(offset.x, extent), lvsm_boxWeight(offset.x + 1.0, extent));
             float2 down = float2(lvsm_boxWeight(offset.y, extent), lvsm_boxWeight(offset.y + 1.0, extent));
+            across *= exp(falloff * (offset.x + float2(0.0, 1.0)) * (offset.x + float2(0.0, 1.0)));
+            down *= exp(falloff * (offset.y + float2(0.0, 1.0)) * (offset.y + float2(0.0, 1.0)));
             float4 receivers = float4(lvsm_planeDepth(depth, gradient, offset),
                                       lvsm_planeDepth(depth, gradient, offset + float2(1.0, 0.0)),
                                       lvsm_planeDepth(depth, gradient, offset + float2(0.0, 1.0)),

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: config, filter, depth, moments, layers, moments4, quantised, sampling/highp, sampling/common, sampling/combined/maps.
+// Quantised moments: a code that no hardware filters, so that four texels are judged and their visibilities mixed.
+#ifndef LVSM_SAMPLING_COMBINED_QUANTISED_GLSL
+#define LVSM_SAMPLING_COMBINED_QUANTISED_GLSL
+
+#include "../../filter.glsl"
+#include "../../quantised.glsl"
+#include "maps.glsl"
+
+/// Visibility from a map of quantised moments in four unorm16.
+/// map: of 4 components, as quantiseMoments4 made them; its own filter is not asked. at: where, see mapPoint. depth: the
+/// receiver's, in [0,1]. Result in [0,1]; 1 half a texel off the map and beyond.
+/// Source: HPG 2017.
+float lvsm_sampleQuantised4(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, float depth)
+{
+    vec2 size = lvsm_pointSize(at, lvsm_mapArraySize(map));
+    vec2 corner = lvsm_firstCorner(at.uv, size);
+    vec4 lit = vec4(0.0, 0.0, 0.0, 0.0);
+    for (int i = 0; i < 4; ++i)
+    {
+        vec4 code = lvsm_fetchSlice(map, at, 0, corner + vec2(float(i & 1), float(i >> 1)));
+        lit[i] = lvsm_quantisedVisibility4(code, depth, LVSM_DEPTH_ERROR_QUANTISED64);
+    }
+    return lvsm_bilinearVisibility(lvsm_maskCorners(lit, corner, size, 1.0), lvsm_mapFraction(at.uv, size));
+}
+
+/// Visibility from a map of quantised moments in 32 bits.
+/// map: of 2 components or more, the words of packQuantised4 over 65535, as two unorm16 hold them; its own filter is not
+/// asked. at: where, see mapPoint. depth: the receiver's, in [0,1].
+/// Result in [0,1]; 1 half a texel off the map and beyond.
+/// Source: HPG 2017.
+float lvsm_samplePackedQuantised4(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, float depth)
+{
+    vec2 size = lvsm_pointSize(at, lvsm_mapArraySize(map));
+    vec2 corner = lvsm_firstCorner(at.uv, size);
+    vec4 lit = vec4(0.0, 0.0, 0.0, 0.0);
+    for (int i = 0; i < 4; ++i)
+    {
+        vec2 texel = lvsm_fetchSlice(map, at, 0, corner + vec2(float(i & 1), float(i >> 1))).xy;
+        vec4 code = lvsm_unpackQuantised4(ivec2(65535.0 * texel + 0.5));
+        lit[i] = lvsm_quantisedVisibility4(code, depth, LVSM_DEPTH_ERROR_QUANTISED32);
+    }
+    return lvsm_bilinearVisibility(lvsm_maskCorners(lit, corner, size, 1.0), lvsm_mapFraction(at.uv, size));
+}
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: config, trigonometric, sampling/highp, sampling/common, sampling/combined/maps.
+// Shadow maps of trigonometric moments.
+#ifndef LVSM_SAMPLING_COMBINED_TRIGONOMETRIC_GLSL
+#define LVSM_SAMPLING_COMBINED_TRIGONOMETRIC_GLSL
+
+#include "../../trigonometric.glsl"
+#include "maps.glsl"
+
+/// Visibility from a map of trigonometric moments.
+/// map: of 4 components, as trigonometricMoments made them. at: where, see mapPoint. depth: the receiver's, in [0,1].
+/// bias: of trigonometricVisibility; recommendedTrigonometricBias of three roundings to unorm16 is 1.2e-4.
+/// Result in [0,1]; 1 half a texel off the map and beyond, but for the bias.
+float lvsm_sampleTrigonometric(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, float depth, float bias)
+{
+    return lvsm_trigonometricVisibility(lvsm_sampleSlice(map, at, 0, lvsm_trigonometricMoments(1.0)), depth, bias);
+}
+
+#endif
