@@ -6,14 +6,15 @@
 
 Times depend on the machine and on what else it does, so no test compares them.
 """
-import argparse
 import json
 import os
 import pathlib
-import re
 import statistics
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import recorded_run
 
 FILE = pathlib.Path(__file__).with_name("recorded.json")
 REPETITIONS = 9
@@ -22,10 +23,9 @@ COUNTERS = ("of_bandwidth", "share_sampled")
 
 
 def machine(context):
-    """In words: the processor, and how much of it there is."""
-    cpu = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    """In words: the processor, how much of it there is, and its last cache."""
     cache = max((c["size"] for c in context["caches"] if c["level"] == 3), default=0)
-    return f"{cpu[1] if cpu else 'unknown'}, {context['num_cpus']} cores, {cache >> 20} MiB of L3 cache"
+    return f"{recorded_run.processor()}, {cache >> 20} MiB of L3 cache"
 
 
 def record(program):
@@ -45,7 +45,7 @@ def record(program):
     context = report["context"]
     niceness = os.getpriority(os.PRIO_PROCESS, 0)
     head = {"date": context["date"][:10], "machine": machine(context), "compiler": context["compiler"],
-            "load": round(os.getloadavg()[0], 1), "command": (f"nice -n {niceness} " if niceness else "") + COMMAND}
+            "load": recorded_run.load(), "command": (f"nice -n {niceness} " if niceness else "") + COMMAND}
     text = ",\n".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in head.items())
     FILE.write_text("{\n" + text + ',\n"rows": [\n' + ",\n".join(map(json.dumps, rows)) + "\n]}\n")
 
@@ -62,20 +62,5 @@ def check(program):
         yield f"{name} is {'not recorded' if name in names else 'recorded, but there is no such benchmark'}"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program")
-    what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--check", action="store_true")
-    what.add_argument("--record", action="store_true")
-    options = parser.parse_args()
-    if options.record:
-        record(options.program)
-        return 0
-    found = list(check(options.program))
-    print(*found, f"{len(found)} differences", sep="\n")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    recorded_run.main(__doc__, check, record)

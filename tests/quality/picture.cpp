@@ -15,8 +15,10 @@ using Colour = glm::vec3;
 
 constexpr float kFullColour = 0.5f;
 
+} // namespace
+
 // The ends and the middle of ColorBrewer's PuOr, which the colour-blind can tell apart.
-Colour diverging(float error)
+glm::vec3 errorColour(float error)
 {
     const Colour middle(0.97f);
     const Colour light(0.70f, 0.35f, 0.02f);
@@ -25,16 +27,25 @@ Colour diverging(float error)
     return glm::mix(middle, error > 0.0f ? light : dark, std::sqrt(amount));
 }
 
-void put(std::vector<std::uint8_t>& pixels, std::size_t index, Colour colour)
+std::optional<std::string> writePng(const std::string& path, const std::vector<glm::vec3>& colours, int width)
 {
-    for (int c = 0; c < 3; ++c)
+    std::vector<std::uint8_t> bytes;
+    for (const Colour& colour : colours)
     {
-        pixels[3 * index + static_cast<std::size_t>(c)] =
-            static_cast<std::uint8_t>(255.0f * glm::clamp(colour[c], 0.0f, 1.0f) + 0.5f);
+        for (int c = 0; c < 3; ++c)
+            bytes.push_back(static_cast<std::uint8_t>(255.0f * glm::clamp(colour[c], 0.0f, 1.0f) + 0.5f));
     }
+    std::error_code error;
+    const std::filesystem::path target(path);
+    if (target.has_parent_path())
+        std::filesystem::create_directories(target.parent_path(), error);
+    const int height = static_cast<int>(colours.size()) / width;
+    if (stbi_write_png(path.c_str(), width, height, 3, bytes.data(), 3 * width) == 0)
+    {
+        return "cannot write '" + path + "'";
+    }
+    return std::nullopt;
 }
-
-} // namespace
 
 std::optional<std::string> writePicture(const StoredMap& map, const Technique& technique, const Setting& setting,
                                         const LitScene& light, const std::string& path)
@@ -55,25 +66,17 @@ std::optional<std::string> writePicture(const StoredMap& map, const Technique& t
         }
     }
 
-    std::vector<std::uint8_t> pixels(3 * texelIndex(0, size, 2 * size));
+    std::vector<Colour> pixels(2 * texelIndex(0, size, size));
     for (int y = 0; y < size; ++y)
     {
         for (int x = 0; x < size; ++x)
         {
             const int row = size - 1 - y;
-            put(pixels, texelIndex(x, row, 2 * size), Colour(std::sqrt(shade[texelIndex(x, y, size)])));
-            put(pixels, texelIndex(size + x, row, 2 * size), diverging(worst[texelIndex(x, y, size)]));
+            pixels[texelIndex(x, row, 2 * size)] = Colour(std::sqrt(shade[texelIndex(x, y, size)]));
+            pixels[texelIndex(size + x, row, 2 * size)] = errorColour(worst[texelIndex(x, y, size)]);
         }
     }
-    std::error_code error;
-    const std::filesystem::path target(path);
-    if (target.has_parent_path())
-        std::filesystem::create_directories(target.parent_path(), error);
-    if (stbi_write_png(path.c_str(), 2 * size, size, 3, pixels.data(), 3 * 2 * size) == 0)
-    {
-        return "cannot write '" + path + "'";
-    }
-    return std::nullopt;
+    return writePng(path, pixels, 2 * size);
 }
 
 } // namespace lvsm::quality

@@ -6,7 +6,6 @@
 
 The record carries a digest of itself, so that no figure of the scenes that are not measured each time is changed by hand.
 """
-import argparse
 import functools
 import hashlib
 import json
@@ -15,6 +14,9 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import recorded_run
 
 FILE = pathlib.Path(__file__).with_name("recorded.json")
 MEAN = "mesh mean"
@@ -142,22 +144,6 @@ def rmse(name, column=MEAN, wide=False):
     return mean(technique(name, wide)["rmse"][scene] for scene in scenes_of(column))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program")
-    what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--check", action="store_true")
-    what.add_argument("--record", action="store_true")
-    options = parser.parse_args()
-    if options.record:
-        record(options.program)
-        return 0
-    found = list(check(options.program))
-    print(*found, f"{len(found)} differences", sep="\n")
-    if found:
-        print("If they are meant: tests/quality/recorded.py --record LVSM_QUALITY; tests/docs/documents.py --write")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    recorded_run.main(__doc__, check, record, "If they are meant: tests/quality/recorded.py --record LVSM_QUALITY; "
+                      "tests/docs/documents.py --write")

@@ -94,6 +94,9 @@ std::vector<Technique> momentTechniques();   // MSM4, quantised and in layers; t
 std::vector<Technique> layeredTechniques();  // LVSM, as in the paper and bracketed
 std::vector<Technique> limits();
 
+/// A convolution shadow map of so many terms, with their attenuation; offset, or scaled to full light.
+Technique csm(int order, float strength, bool offset);
+
 /// A technique whose estimator needs nothing from the scene but what its constructor is given here.
 template <typename E, typename... Arguments>
 std::function<std::unique_ptr<Estimator>(const Map&)> fixed(Arguments... arguments)

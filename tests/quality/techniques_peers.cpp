@@ -70,17 +70,26 @@ private:
 
 } // namespace
 
+Technique csm(int order, float strength, bool offset)
+{
+    const std::string name = "CSM-" + std::to_string(order) + " unorm8 " + (offset ? "offset" : "scale");
+    return {name,
+            true,
+            16 * order,
+            2 * order,
+            Format::Unorm8,
+            false,
+            fixed<Csm>(order, strength, offset),
+            "CSM " + std::to_string(order) + " terms"};
+}
+
 std::vector<Technique> otherPeers()
 {
     std::vector<Technique> all{{"ESM r32f 80", true, 32, 1, Format::Fp32, false, fixed<Esm>(80.0f), "ESM"}};
     for (const int order : {4, 8, 16})
     {
         for (const bool offset : {true, false})
-        {
-            const std::string name = "CSM-" + std::to_string(order) + " unorm8 " + (offset ? "offset" : "scale");
-            all.push_back({name, true, 16 * order, 2 * order, Format::Unorm8, false, fixed<Csm>(order, 1.0f, offset),
-                           "CSM " + std::to_string(order) + " terms"});
-        }
+            all.push_back(csm(order, 1.0f, offset));
     }
     return all;
 }

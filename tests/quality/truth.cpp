@@ -47,6 +47,8 @@ void judge(const Scene& scene, const std::vector<double>& kernel, Receiver& rece
     receiver.occluderDistance = static_cast<float>(occluded > 0.0 ? distance / occluded : 0.0);
 }
 
+} // namespace
+
 void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers)
 {
     constexpr std::size_t kBatch = 1024;
@@ -58,8 +60,6 @@ void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector
                         judge(scene, kernel, receivers[i]);
                 });
 }
-
-} // namespace
 
 const Surface* ownSurface(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset)
 {

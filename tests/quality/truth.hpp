@@ -32,6 +32,9 @@ const Surface* ownSurface(const Peel& peel, const Surface& receiver, int x, int 
 /// shadow, and past a surface's edge what lies behind or in front is not taken for it.
 float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset);
 
+/// Works out the visibility and occluder distance of receivers whose place and surface are known.
+void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers);
+
 /// Which receivers of a scene are measured.
 struct Choice
 {
