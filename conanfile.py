@@ -8,11 +8,11 @@ from conan.tools.files import load
 
 class Lvsm(ConanFile):
     name = "lvsm"
-    description = "The maths of filterable shadow maps, in C++, GLSL and HLSL"
+    description = "The maths of filterable shadow maps, in C++, GLSL, HLSL and WGSL"
     license = "MIT"
     package_type = "header-library"
     settings = "os", "compiler", "build_type", "arch"
-    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "glsl/*", "hlsl/*"
+    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "glsl/*", "hlsl/*", "wgsl/*"
 
     def set_version(self):
         self.version = re.search(r"project\(lvsm VERSION (\S+)", load(self, f"{self.recipe_folder}/CMakeLists.txt"))[1]

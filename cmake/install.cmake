@@ -5,7 +5,7 @@ set(shader_root ${CMAKE_INSTALL_DATADIR}/lvsm)
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/lvsm)
 
 install(DIRECTORY include/lvsm DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY glsl hlsl DESTINATION ${shader_root})
+install(DIRECTORY glsl hlsl wgsl DESTINATION ${shader_root})
 install(FILES ${singles} DESTINATION ${shader_root}/single)
 install(FILES cmake/single_file.cmake DESTINATION ${shader_root}/cmake)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,5 @@
 # Joins SOURCE and all that it includes into one file, OUTPUT, for pipelines that have no #include: all topics, or one
-# with what it needs, or a pass.
+# with what it needs, or a pass. WGSL has no #include: there the files follow that the line `Needs` names.
 #   cmake -D SOURCE=glsl/lvsm/lvsm.glsl -D OUTPUT=lvsm_all.glsl -P cmake/single_file.cmake
 #   cmake -D SOURCE=glsl/lvsm/bracket.glsl -D OUTPUT=lvsm_bracket.glsl -P cmake/single_file.cmake
 # An include is looked up as a compiler does it: beside the including file, then in the folder that holds lvsm/.
@@ -19,6 +19,11 @@ function(join file)
   list(APPEND seen ${file})
   file(READ ${file} rest)
   string(REPLACE "${notice}" "" rest "${rest}")
+  set(needed "")
+  if(file MATCHES "\\.wgsl$" AND rest MATCHES "// Needs: ([^\n]*)\\.\n")
+    string(REPLACE ", " ";" needed "${CMAKE_MATCH_1}")
+    list(TRANSFORM needed APPEND .wgsl)
+  endif()
   string(REGEX REPLACE "// Needs: [^\n]*\n" "" rest "${rest}")
   string(REPLACE "#extension GL_GOOGLE_include_directive : require\n" "" rest "${rest}")
   get_filename_component(beside ${file} DIRECTORY)
@@ -39,7 +44,17 @@ function(join file)
       message(FATAL_ERROR "${file} includes ${included}, which is neither beside it nor in ${root}")
     endif()
   endwhile()
-  set(joined "${joined}${rest}" PARENT_SCOPE)
+  string(APPEND joined "${rest}")
+  if(needed STREQUAL "every topic.wgsl")
+    file(GLOB needed RELATIVE ${beside} ${beside}/*.wgsl)
+  elseif(needed STREQUAL "no other.wgsl")
+    set(needed "")
+  endif()
+  foreach(topic ${needed})
+    string(APPEND joined "\n")
+    join(${beside}/${topic})
+  endforeach()
+  set(joined "${joined}" PARENT_SCOPE)
   set(seen ${seen} PARENT_SCOPE)
 endfunction()
 

@@ -19,7 +19,7 @@ copyFileSync(join(here, "../LICENSE"), join(output, "LICENSE"));
 copyFileSync(join(here, "README.md"), join(output, "README.md"));
 
 // The one-file versions as strings, so that no bundler needs a loader for them.
-for (const [name, file] of [["glsl", "lvsm_all.glsl"], ["hlsl", "lvsm_all.hlsli"]]) {
+for (const [name, file] of [["glsl", "lvsm_all.glsl"], ["hlsl", "lvsm_all.hlsli"], ["wgsl", "lvsm_all.wgsl"]]) {
     const text = JSON.stringify(readFileSync(join(single, file), "utf8"));
     writeFileSync(join(output, `${name}.mjs`), `${NOTICE}export default ${text};\n`);
     writeFileSync(join(output, `${name}.d.mts`),
@@ -30,12 +30,12 @@ const module = (path) => ({types: `./${path}.d.mts`, default: `./${path}.mjs`});
 const manifest = {
     name: "lvsm",
     version,
-    description: "The maths of filterable shadow maps, in GLSL and HLSL, and placing their layers in WebAssembly",
-    keywords: ["shadow", "shadow-map", "vsm", "evsm", "glsl", "hlsl", "webgl"],
+    description: "The maths of filterable shadow maps, in GLSL, HLSL and WGSL, and placing their layers in WebAssembly",
+    keywords: ["shadow", "shadow-map", "vsm", "evsm", "glsl", "hlsl", "wgsl", "webgl", "webgpu"],
     license: "MIT",
     type: "module",
     sideEffects: false,
-    exports: {"./glsl": module("glsl"), "./hlsl": module("hlsl"), "./host": module("host/lvsm"),
+    exports: {"./glsl": module("glsl"), "./hlsl": module("hlsl"), "./wgsl": module("wgsl"), "./host": module("host/lvsm"),
               "./shaders/*": "./shaders/*"},
     files: ["shaders", "host", "*.mjs", "*.mts"],
 };

@@ -171,13 +171,13 @@ uint lvsm_weightLevel(float weight, int index)
     return weight > 0.0 && level == 0u ? 1u : level;
 }
 
-void lvsm_sortPair(inout lvsm_MixtureComponent first, inout lvsm_MixtureComponent second)
+void lvsm_sortPair(inout lvsm_Mixture m, int i, int j)
 {
-    if (first.weight < second.weight)
+    if (m.components[i].weight < m.components[j].weight)
     {
-        lvsm_MixtureComponent lighter = first;
-        first = second;
-        second = lighter;
+        lvsm_MixtureComponent lighter = m.components[i];
+        m.components[i] = m.components[j];
+        m.components[j] = lighter;
     }
 }
 
@@ -200,13 +200,13 @@ lvsm_Mixture lvsm_sorted(lvsm_Mixture mixture, int count)
         m.components[0] = lvsm_tapComponent(1.0);
         return m;
     }
-    lvsm_sortPair(m.components[0], m.components[1]);
+    lvsm_sortPair(m, 0, 1);
     if (count > 2)
     {
-        lvsm_sortPair(m.components[2], m.components[3]);
-        lvsm_sortPair(m.components[0], m.components[2]);
-        lvsm_sortPair(m.components[1], m.components[3]);
-        lvsm_sortPair(m.components[1], m.components[2]);
+        lvsm_sortPair(m, 2, 3);
+        lvsm_sortPair(m, 0, 2);
+        lvsm_sortPair(m, 1, 3);
+        lvsm_sortPair(m, 1, 2);
     }
     float inverse = 1.0 / sum;
     for (int k = 0; k < LVSM_MAX_COMPONENTS; ++k)
@@ -379,13 +379,13 @@ lvsm_MixturePlane lvsm_noPlane()
 lvsm_MixturePlanes lvsm_decodeMixture2(uvec2 code, float deviation)
 {
     float sigma = lvsm_filterDeviation(deviation);
+    lvsm_MixturePlane lighter = lvsm_planeOfBits(code.y, lvsm_planeCode2(), sigma);
+    lvsm_placePlane(lighter, lvsm_field(code.x, 24, 4), 1, lvsm_field(code.y, 24, 4), code.y >> 28u, code.x >> 28u, sigma);
     lvsm_MixturePlanes m;
     m.planes[0] = lvsm_planeOfBits(code.x, lvsm_planeCode2(), sigma);
-    m.planes[1] = lvsm_planeOfBits(code.y, lvsm_planeCode2(), sigma);
+    m.planes[1] = lighter;
     m.planes[2] = lvsm_noPlane();
     m.planes[3] = lvsm_noPlane();
-    lvsm_placePlane(m.planes[1], lvsm_field(code.x, 24, 4), 1, lvsm_field(code.y, 24, 4), code.y >> 28u, code.x >> 28u,
-                    sigma);
     lvsm_completePlanes(m, 2, sigma);
     return m;
 }

@@ -35,6 +35,7 @@ run("npm", ["install", "--offline", "--no-audit", "--no-fund", join(folder, arch
 writeFileSync(join(app, "app.ts"), `
 import glsl from "lvsm/glsl";
 import hlsl from "lvsm/hlsl";
+import wgsl from "lvsm/wgsl";
 import {lloydRelax, optimalSplits, version} from "lvsm/host";
 
 function compiles(text: string): string {
@@ -50,7 +51,8 @@ export async function main() {
     const head = "#version 300 es\\nprecision highp float;\\nprecision highp int;\\n";
     const body = "out vec4 c; void main() { c = vec4(lvsm_bracketedVisibility2(vec4(0.5), 0.7, 0.5, 1.0e-5)); }";
     const relaxed: Float32Array = lloydRelax(depths, 64, 64, 2, {maxIterations: 32}).splits;
-    return {shader: compiles(head + glsl + body), hlsl: hlsl.includes("float lvsm_bracketedVisibility2"), version,
+    return {shader: compiles(head + glsl + body), hlsl: hlsl.includes("float lvsm_bracketedVisibility2"),
+            wgsl: wgsl.includes("fn lvsm_bracketedVisibility2"), version,
             lloyd: relaxed[1], optimal: optimalSplits(depths, 64, 64, 2).splits[1]};
 }
 `);
@@ -66,6 +68,7 @@ const [major, minor, patch] = version.split(".").map(Number);
 for (const [name, is, right] of [
     ["shader", result?.shader, (value) => value === "compiles"],
     ["hlsl", result?.hlsl, (value) => value],
+    ["wgsl", result?.wgsl, (value) => value],
     ["version", result?.version, (value) => value === 10000 * major + 100 * minor + patch],
     ["lloydRelax", result?.lloyd, (value) => value > 0.2 && value < 0.8],
     ["optimalSplits", result?.optimal, (value) => value > 0.2 && value < 0.8],

@@ -24,11 +24,6 @@ using nlohmann::json;
 // Of the 65536 inputs of a domain, and as many hostile ones, a client runs one in so many.
 constexpr std::size_t kEvery = 32;
 
-// Of a sum in another order: at most four terms, each rounded by 2^-24 of the largest, and once more by what follows.
-constexpr double kOtherOrder = 8.0 / (1 << 24);
-// Whose sum of four may then overflow, for moments that are nobody's; config.glsl says so of LVSM_PRECISE.
-const char* const kMayOverflow = "neighbourhoodMoments";
-
 std::string path(const std::string& folder, const Row& row, const char* suffix)
 {
     return folder + "/" + row.function + suffix;
@@ -53,18 +48,16 @@ int write(const std::string& folder)
 }
 
 // The verdicts of a row; none where the client left no results of the right size.
-std::vector<Verdict> judge(const std::string& folder, const Row& row, bool precise)
+std::vector<Verdict> judge(const std::string& folder, const Row& row, Order order)
 {
-    const Judge judge(row, kEvery);
+    const Judge judge(row, order, kEvery);
     std::vector<float> results(judge.inputs().size() * static_cast<std::size_t>(componentCount(row.kind)));
     const std::streamsize size = static_cast<std::streamsize>(results.size() * sizeof(float));
     std::ifstream file(path(folder, row, ".results"), std::ios::binary);
     file.read(reinterpret_cast<char*>(results.data()), size);
     if (file.gcount() != size || file.peek() != std::char_traits<char>::eof())
         return {};
-    std::vector<Verdict> verdicts = judge.judge(results, precise ? 0.0 : kOtherOrder);
-    if (!precise && row.function == kMayOverflow)
-        verdicts.pop_back();
+    const std::vector<Verdict> verdicts = judge.judge(results);
     for (const Verdict& verdict : verdicts)
     {
         if (!verdict.passed())
@@ -76,7 +69,7 @@ std::vector<Verdict> judge(const std::string& folder, const Row& row, bool preci
     return verdicts;
 }
 
-int judgeAll(const std::string& folder, const std::string& client, const std::string& report, bool precise)
+int judgeAll(const std::string& folder, const std::string& client, const std::string& report, Order order)
 {
     std::size_t failed = 0;
     std::size_t inputs = 0;
@@ -84,7 +77,7 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
     std::string worstFunction;
     for (const Row& row : rows())
     {
-        const std::vector<Verdict> verdicts = judge(folder, row, precise);
+        const std::vector<Verdict> verdicts = judge(folder, row, order);
         if (verdicts.empty())
             std::printf("FAIL %s: no results of the right size\n", row.function.c_str());
         bool passed = !verdicts.empty();
@@ -126,9 +119,9 @@ int main(int argc, char** argv)
     if (words.size() == 2 && words[0] == "write")
         return write(words[1]);
     if (words.size() == 4 && words[0] == "judge")
-        return judgeAll(words[1], words[2], words[3], true);
+        return judgeAll(words[1], words[2], words[3], Order::AsWritten);
     if (words.size() == 5 && words[0] == "judge" && words[4] == "imprecise")
-        return judgeAll(words[1], words[2], words[3], false);
+        return judgeAll(words[1], words[2], words[3], Order::Any);
     std::fprintf(stderr, "usage: lvsm_client_rows write FOLDER | judge FOLDER CLIENT REPORT [imprecise]\n");
     return 2;
 }

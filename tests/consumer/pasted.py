@@ -3,7 +3,9 @@
 
 by_hand: the files that the topic's third line names, pasted in its order, without their #include lines.
 one_file: what cmake/single_file.cmake makes of the topic.
-    pasted.py by_hand|one_file GLSL|HLSL [SHADERS.PY OPTION...]
+    pasted.py by_hand|one_file GLSL|HLSL|WGSL [SHADERS.PY OPTION...]
+
+WGSL's compiler looks at every function without being called.
 """
 import pathlib
 import re
@@ -31,6 +33,14 @@ def one_file(language, topic, path):
                     "-P", ROOT / "cmake/single_file.cmake"], check=True)
 
 
+def compiled(language, topic, path, options):
+    """The status of the compiler."""
+    if language == "WGSL":
+        return subprocess.run([ROOT / "tests/support/wgsl", "compile", path]).returncode
+    return subprocess.run([sys.executable, ROOT / "tests/compile/shaders.py", language, topic, TARGET[language], "--single",
+                           path, *options]).returncode
+
+
 def main():
     way, language, *options = sys.argv[1:]
     topics = sorted(lvsm_api.topics(ROOT, language) - {lvsm_api.UMBRELLA})
@@ -39,11 +49,10 @@ def main():
         path = pathlib.Path(folder) / "pasted"
         for topic in topics:
             {"by_hand": by_hand, "one_file": one_file}[way](language, topic, path)
-            compiled = subprocess.run([sys.executable, ROOT / "tests/compile/shaders.py", language, topic,
-                                       TARGET[language], "--single", path, *options])
-            if compiled.returncode == 77:
+            status = compiled(language, topic, path, options)
+            if status == 77:
                 return 77
-            failed += [topic] if compiled.returncode != 0 else []
+            failed += [topic] if status != 0 else []
     print(f"{len(topics)} topics pasted, failed: {', '.join(failed) or 'none'}")
     return 1 if failed else 0
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Compiles the code that a document shows:  snippets.py DOCUMENT --include FOLDER... --cxx COMPILER --dxc DXC
 
-In Markdown the blocks fenced as ```cpp, ```glsl and ```hlsl; in an umbrella file those under a line `// C++`, `// GLSL`
-or `// HLSL`. GLSL that includes nothing stands after the one-file version. C++ statements stand in a function, after
+In Markdown the blocks fenced as ```cpp, ```glsl, ```hlsl and ```wgsl; in an umbrella file those under a line `// C++`,
+`// GLSL`, `// HLSL` or `// WGSL`. WGSL, and GLSL that includes nothing, stand after the one-file version. C++ statements stand in a function, after
 the names of snippet_names.hpp; a shader gets a #version and an empty main where it has none.
 """
 import argparse
@@ -14,17 +14,17 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LANGUAGES = {"C++": "cpp", "GLSL": "glsl", "HLSL": "hlsl"}
+LANGUAGES = {"C++": "cpp", "GLSL": "glsl", "HLSL": "hlsl", "WGSL": "wgsl"}
 
 
 def snippets(document):
     """Yields (language, code)."""
     text = document.read_text()
     if document.suffix == ".md":
-        yield from re.findall(r"^```(cpp|glsl|hlsl)\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        yield from re.findall(r"^```(cpp|glsl|hlsl|wgsl)\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
         return
     manual = re.match(r"(//.*\n)+", text).group()
-    parts = re.split(r"^// (C\+\+|GLSL|HLSL)\n", manual, flags=re.MULTILINE)[1:]
+    parts = re.split(r"^// (C\+\+|GLSL|HLSL|WGSL)\n", manual, flags=re.MULTILINE)[1:]
     for heading, part in zip(parts[::2], parts[1::2]):
         yield LANGUAGES[heading], re.sub(r"^// {0,3}", "", part, flags=re.MULTILINE)
 
@@ -41,10 +41,12 @@ def program(language, code, pasted):
     if language == "glsl":
         end = "" if "main(" in code else "void main() {}\n"
         if "#include" not in code:
-            code = pasted.read_text() + code
+            code = (pasted / "lvsm_all.glsl").read_text() + code
         if "#version" not in code:
             code = "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + code
         return code + end
+    if language == "wgsl":
+        return (pasted / "lvsm_all.wgsl").read_text() + code
     return code if "main(" in code else code + "float4 main() : SV_Target { return float4(0, 0, 0, 0); }\n"
 
 
@@ -55,6 +57,8 @@ def command(language, options, path, output):
                 f"-I{ROOT / 'include'}", *glm, path]
     if language == "glsl":
         return [options.glslang, "-V", "-S", "frag", *[f"-I{folder}" for folder in options.include], "-o", output, path]
+    if language == "wgsl":
+        return [str(ROOT / "tests/support/wgsl"), "compile", path]
     return [options.dxc, "-T", "ps_6_0", "-E", "main", *[word for folder in options.include for word in ("-I", folder)], "-Fo",
             output, path]
 
@@ -64,7 +68,7 @@ def main():
     parser.add_argument("document", type=pathlib.Path)
     parser.add_argument("--languages", nargs="+", choices=LANGUAGES.values(), help="of which it must have a snippet")
     parser.add_argument("--include", nargs="+", default=[], help="folders of shader files")
-    parser.add_argument("--pasted", type=pathlib.Path, help="what stands before GLSL that includes nothing")
+    parser.add_argument("--pasted", type=pathlib.Path, help="the folder of the one-file versions")
     parser.add_argument("--cxx", default="c++")
     parser.add_argument("--glm", default="/usr/include", help="include folder of GLM")
     parser.add_argument("--glslang", default="glslangValidator")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when the three languages have drifted apart, or a shader file holds what some client refuses.
+"""Fails when the languages have drifted apart, or a shader file holds what some client refuses.
 
 Compares functions, parameters, types, doc comments and constants topic by topic, and the rows of functions.def; then
 the lists that a new function, test or topic has to be on, see lists.py.
@@ -14,7 +14,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import lists  # noqa: E402
 import lvsm_api  # noqa: E402
 import ranges  # noqa: E402
+import wgsl  # noqa: E402
 from lvsm_api import LANGUAGES, UMBRELLA, source, topics  # noqa: E402
+
+SHADERS = [language for language in LANGUAGES if language != "C++"]
 
 # What clients refuse (naga most of all), and what would tie a maths file to a pipeline. LVSM_PRECISE hides `precise`.
 REFUSED = re.compile(r"\b(precise|isnan|isinf|switch|lowp|mediump|highp|precision|[iu]?sampler\w*|[iu]?texture\w*|"
@@ -24,17 +27,17 @@ LANGUAGE_WORDS = re.compile(r"const|static|inline|void|struct|in|out|inout|((flo
 
 
 def compare_functions(root, topic):
-    """Yields the differences of the two shader languages from C++, which is the reference."""
+    """Yields the differences of the shader languages from C++, which is the reference."""
     api = {language: {f.name: f for f in lvsm_api.functions(root, language, topic)} for language in LANGUAGES}
     names = {language: list(functions) for language, functions in api.items()}
-    for language in ("GLSL", "HLSL"):
+    for language in SHADERS:
         for name in sorted(set(names["C++"]) ^ set(names[language])):
             missing = language if name in names["C++"] else "C++"
             yield f"{topic}: {name} is missing in {missing}"
         if sorted(names["C++"]) == sorted(names[language]) and names["C++"] != names[language]:
             yield f"{topic}: the functions stand in another order in {language}"
     for name, reference in api["C++"].items():
-        for language in ("GLSL", "HLSL"):
+        for language in SHADERS:
             other = api[language].get(name)
             if other is None:
                 continue
@@ -51,7 +54,7 @@ def compare_functions(root, topic):
 def compare_types(root, topic):
     """Likewise: a struct has the same members in each language."""
     api = {language: {t.name: t for t in lvsm_api.types(root, language, topic)} for language in LANGUAGES}
-    for language in ("GLSL", "HLSL"):
+    for language in SHADERS:
         for name in sorted(set(api["C++"]) | set(api[language])):
             reference, other = api["C++"].get(name), api[language].get(name)
             if reference is None or other is None:
@@ -97,9 +100,9 @@ def check_literals(root):
 
 
 def check_precise(root, topic):
-    """What rounds where terms cancel does so in every language: LVSM_PRECISE in shaders, detail::rounded in C++."""
+    """What rounds where terms cancel does so: LVSM_PRECISE in shaders but WGSL's, detail::rounded in C++."""
     marked = {}
-    for language in LANGUAGES:
+    for language in ("C++", "GLSL", "HLSL"):
         mark = r"\brounded\(" if language == "C++" else r"\bLVSM_PRECISE\b"
         parts = re.split(r"^\w[^\n#;=]*?\b(?:lvsm_)?(\w+)\(", lvsm_api.without_comments(source(root, language, topic).read_text()),
                          flags=re.MULTILINE)
@@ -112,12 +115,12 @@ def check_precise(root, topic):
 
 def check_shader(root, language, topic):
     path = source(root, language, topic)
-    text = path.read_text()
+    text = lvsm_api.read(root, language, topic)
     where = f"{topic} in {language}"
     code = lvsm_api.without_comments(text)
 
     guard = f"LVSM_{topic.upper()}_{path.suffix[1:].upper()}"
-    if not re.match(rf"\s*#ifndef {guard}\n#define {guard}\n.*\n#endif\s*$", code, re.DOTALL):
+    if language != "WGSL" and not re.match(rf"\s*#ifndef {guard}\n#define {guard}\n.*\n#endif\s*$", code, re.DOTALL):
         yield f"{where}: the include guard is not {guard}"
     for match in REFUSED.finditer(re.sub(r"#define LVSM_PRECISE precise\n", "", code)):
         yield f"{where}: clients refuse '{match.group()}'"
@@ -170,13 +173,13 @@ def readable(topic, check):
 def differences(root):
     host = lvsm_api.host_alone(root)
     shared = topics(root, "C++") - host
-    for language in ("GLSL", "HLSL"):
+    for language in SHADERS:
         for topic in sorted(shared - topics(root, language)):
             yield (f"topic {topic} is missing in {language}; the header of one for C++ alone has a line "
                    f"'// {lvsm_api.HOST_ALONE}' in its first comment")
         for topic in sorted(topics(root, language) - shared):
             yield f"topic {topic} is missing in C++" if topic not in host else f"topic {topic} is not for C++ alone"
-    for language in LANGUAGES:
+    for language in ("C++", "GLSL", "HLSL"):
         included = set(re.findall(r'#include "(?:lvsm/)?(\w+)\.', source(root, language, UMBRELLA).read_text()))
         for topic in sorted(topics(root, language) - included - {UMBRELLA, "config"}):
             yield f"the umbrella does not include {topic} in {language}"
@@ -191,12 +194,13 @@ def differences(root):
             public += lvsm_api.functions(root, "C++", topic)
         except ValueError:
             pass  # said already
-    for language in ("GLSL", "HLSL"):
+    for language in SHADERS:
         for topic in sorted(topics(root, language)):
             yield from check_shader(root, language, topic)
     yield from check_needs(root)
     yield from check_literals(root)
     yield from check_rows(root, public)
+    yield from wgsl.differences(pathlib.Path(root))
     yield from lists.differences(root)
 
 

@@ -49,6 +49,14 @@ SHADER = NOTICE + """// Needs: no other.
 
 #endif
 """
+WGSL = NOTICE + """// Needs: no other.
+// What comes back.
+
+""" + DOC + """fn lvsm_echo(depth: f32) -> f32
+{
+    return clamp(depth, 0.0, 1.0);
+}
+"""
 TEST = '#include <lvsm/echo.hpp>\n\n#include <doctest/doctest.h>\n\nTEST_CASE("echo") { CHECK(lvsm::echo(2.0f) == 1.0f); }\n'
 
 # Each step: files that it writes, or (file, text, what is put in front of it); and what a fault says without it.
@@ -56,6 +64,7 @@ STEPS = {
     "cpp": ({"include/lvsm/echo.hpp": HPP}, "topic echo is missing in C++"),
     "glsl": ({"glsl/lvsm/echo.glsl": SHADER.format("GLSL")}, "topic echo is missing in GLSL"),
     "hlsl": ({"hlsl/lvsm/echo.hlsli": SHADER.format("HLSLI")}, "topic echo is missing in HLSL"),
+    "wgsl": ({"wgsl/lvsm/echo.wgsl": WGSL}, "wgsl/lvsm/echo.wgsl is not what is made of GLSL"),
     "row": (("tests/parity/functions.def", "// moments\n", "FUNCTION(echo, Float, (A(0)), depths, 0.0, 1.0)\n"),
             "echo has no row in tests/parity/functions.def"),
     "unit_test": ({"tests/unit/echo_test.cpp": TEST}, "no test in tests/unit/*_test.cpp calls echo"),
@@ -68,6 +77,7 @@ STEPS = {
     "manual_of_cpp": (("include/lvsm/lvsm.hpp", "depth, moments, layers", "echo, "), "lvsm.hpp does not name the topic echo"),
     "manual_of_glsl": (("glsl/lvsm/lvsm.glsl", "depth, moments, layers", "echo, "), "lvsm.glsl does not name the topic echo"),
     "manual_of_hlsl": (("hlsl/lvsm/lvsm.hlsli", "depth, moments, layers", "echo, "), "lvsm.hlsli does not name the topic echo"),
+    "manual_of_wgsl": (("wgsl/lvsm/lvsm.wgsl", "depth, moments, layers", "echo, "), "lvsm.wgsl does not name the topic echo"),
     "readme": (("README.md", "| `depth` |", "| `echo` | what comes back |\n"), "README.md's table of topics does not name the topic echo"),
 }
 

@@ -17,7 +17,7 @@ def main():
     root, generated = map(pathlib.Path, sys.argv[1:])
     copyright_ = re.search(r"^Copyright .*$", (root / "LICENSE").read_text(), re.MULTILINE).group()
     notice = f"// SPDX-License-Identifier: MIT\n// {copyright_}\n"
-    folders = [root / "include", root / "glsl", root / "hlsl", generated]
+    folders = [root / "include", root / "glsl", root / "hlsl", root / "wgsl", generated]
     files = {folder: [path for path in sorted(folder.rglob("*")) if path.is_file()] for folder in folders}
     lacking = [path for of_folder in files.values() for path in of_folder if lacks_notice(path, notice)]
     print(*[f"{path} does not begin with the licence's notice" for path in lacking], sep="\n", end="\n" if lacking else "")

@@ -91,6 +91,38 @@ void lvsm_second(inout float splits[LVSM_MAX_LAYERS + 1], float weights[LVSM_MAX
 #endif
 """
 
+# As wgsl.py makes it, which the case `nothing` shows.
+WGSL = """// Needs: no other.
+// A topic.
+
+// A constant.
+const LVSM_LARGEST_FP16: f32 = 65504.0;
+
+/// One of two.
+struct lvsm_Pair
+{
+    near: f32,
+    far: f32,
+}
+
+/// One of [0,1] and LVSM_LARGEST_FP16,
+/// as lvsm_second does. Result: each in [0,1].
+fn lvsm_first(depth: f32, interval: vec2f) -> vec2f
+{
+    return vec2f(depth, interval.x);
+}
+
+/// Changes splits in place.
+fn lvsm_second(splits: ptr<function, array<f32, LVSM_MAX_LAYERS + 1>>, weights: array<f32, LVSM_MAX_LAYERS + 1>,
+               layerCount: i32)
+{
+    if (layerCount > 0)
+    {
+        (*splits)[0] = weights[0];
+    }
+}
+"""
+
 HOST = """// Needs: no other.
 // Whole images.
 // On the host alone: no shader has it.
@@ -119,16 +151,23 @@ inline int place(const PlaceOptions& options = {})
 
 UMBRELLA = ("// Needs: every topic.\n//\n// Topics: depth{2}. No more.\n#ifndef LVSM_LVSM_{0}\n#define LVSM_LVSM_{0}\n\n"
             "#include \"depth.{1}\"\n{3}\n#endif\n")
+CONFIG = "// Needs: no other.\n#ifndef LVSM_CONFIG_{0}\n#define LVSM_CONFIG_{0}\n\n#endif\n"
 WRAPPER = "// Needs: no other.\n/// Reads.\nfloat lvsm_sample(float x)\n{\n    return x;\n}\n"
 
 FILES = {
     "include/lvsm/depth.hpp": HPP,
     "glsl/lvsm/depth.glsl": GLSL,
     "hlsl/lvsm/depth.hlsli": GLSL.replace("vec2", "float2").replace("const", "static const").replace("_GLSL", "_HLSLI"),
+    "wgsl/lvsm/depth.wgsl": WGSL,
+    "include/lvsm/config.hpp": CONFIG.format("HPP"),
+    "glsl/lvsm/config.glsl": CONFIG.format("GLSL"),
+    "hlsl/lvsm/config.hlsli": CONFIG.format("HLSLI"),
+    "wgsl/lvsm/config.wgsl": "// Needs: no other.\nconst LVSM_MAX_LAYERS: i32 = 8;\n",
     "include/lvsm/place.hpp": HOST,
     "include/lvsm/lvsm.hpp": UMBRELLA.format("HPP", "hpp", "; on the host also place", '#include "place.hpp"\n'),
     "glsl/lvsm/lvsm.glsl": UMBRELLA.format("GLSL", "glsl", "", ""),
     "hlsl/lvsm/lvsm.hlsli": UMBRELLA.format("HLSLI", "hlsli", "", ""),
+    "wgsl/lvsm/lvsm.wgsl": "// Needs: every topic.\n//\n// Topics: depth. No more.\n",
     "glsl/lvsm/sampling/all.glsl": "// Needs: sampling/all/one.\n#include \"all/one.glsl\"\n",
     "glsl/lvsm/sampling/all/one.glsl": WRAPPER,
     "hlsl/lvsm/passes/blur.hlsl": "// Needs: no other.\n",
@@ -157,6 +196,7 @@ CASES = {
     "function_removed_in_glsl": ("glsl/lvsm/depth.glsl", LAST, "", "second is missing in GLSL"),
     "function_removed_in_hlsl": ("hlsl/lvsm/depth.hlsli", LAST, "", "second is missing in HLSL"),
     "function_added_in_glsl": ("glsl/lvsm/depth.glsl", LAST, LAST + LAST.replace("second", "third"), "third is missing in C++"),
+    "function_removed_in_wgsl": ("wgsl/lvsm/depth.wgsl", WGSL[WGSL.index("/// Changes"):], "", "second is missing in WGSL"),
     "functions_reordered": ("glsl/lvsm/depth.glsl", GLSL, GLSL.replace(LAST, "").replace("/// One of", LAST + "/// One of"),
                             "another order in GLSL"),
     "parameters_swapped": ("glsl/lvsm/depth.glsl", "(float depth, vec2 interval)", "(vec2 interval, float depth)",
@@ -165,6 +205,18 @@ CASES = {
     "parameter_type_changed": ("hlsl/lvsm/depth.hlsli", "float2 interval)", "float3 interval)",
                                "first's parameter types differ in HLSL"),
     "inout_dropped": ("glsl/lvsm/depth.glsl", "inout float splits", "float splits", "second's parameter types differ"),
+    "pointer_dropped": ("wgsl/lvsm/depth.wgsl", "ptr<function, array<f32, LVSM_MAX_LAYERS + 1>>", "array<f32, LVSM_MAX_LAYERS + 1>",
+                        "second's parameter types differ in WGSL"),
+    "parameter_renamed_in_wgsl": ("wgsl/lvsm/depth.wgsl", "(depth: f32", "(z: f32", "first's parameters differ in WGSL"),
+    "result_changed_in_wgsl": ("wgsl/lvsm/depth.wgsl", "-> vec2f", "-> vec3f", "float3 in WGSL"),
+    "doc_changed_in_wgsl": ("wgsl/lvsm/depth.wgsl", "Changes splits", "Keeps splits", "second's doc comment differs in WGSL"),
+    "constant_changed_in_wgsl": ("wgsl/lvsm/depth.wgsl", "65504.0", "65505.0", "65505.0 in WGSL"),
+    "struct_member_renamed_in_wgsl": ("wgsl/lvsm/depth.wgsl", "far: f32", "end: f32", "Pair's members differ in WGSL"),
+    "name_without_prefix_in_wgsl": ("wgsl/lvsm/depth.wgsl", "const", "const HALF: f32 = 0.5;\nconst", "HALF could collide"),
+    "body_changed_in_wgsl": ("wgsl/lvsm/depth.wgsl", "weights[0]", "weights[1]", "wgsl/lvsm/depth.wgsl is not what is made of GLSL"),
+    "glsl_unsayable_in_wgsl": ("glsl/lvsm/depth.glsl", "splits[0] = weights[0];", "layerCount = 0;",
+                               "WGSL writes to no parameter: layerCount"),
+    "glsl_unknown_to_wgsl": ("glsl/lvsm/depth.glsl", "interval.x)", "tanh(interval.x))", "the function tanh is not known"),
     "result_changed": ("glsl/lvsm/depth.glsl", "vec2 lvsm_first", "float lvsm_first", "first's result is float2"),
     "doc_word_changed": ("glsl/lvsm/depth.glsl", "Changes splits", "Keeps splits", "second's doc comment differs in GLSL"),
     "doc_missing_in_all": (None, "/// Changes splits in place.\n", "", "second has no /// comment"),

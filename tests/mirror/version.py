@@ -8,8 +8,8 @@ root, version = pathlib.Path(sys.argv[1]), sys.argv[2]
 major, minor, patch = map(int, version.split("."))
 wanted = str(10000 * major + 100 * minor + patch)
 status = 0
-for name in ("include/lvsm/config.hpp", "glsl/lvsm/config.glsl", "hlsl/lvsm/config.hlsli"):
-    found = re.findall(r"^#define LVSM_VERSION (\w+)$", (root / name).read_text(), re.MULTILINE)
+for name in ("include/lvsm/config.hpp", "glsl/lvsm/config.glsl", "hlsl/lvsm/config.hlsli", "wgsl/lvsm/config.wgsl"):
+    found = re.findall(r"^(?:#define LVSM_VERSION|const LVSM_VERSION: i32 =) (\w+);?$", (root / name).read_text(), re.MULTILINE)
     print(f"{name}: {' '.join(found) or 'no LVSM_VERSION'}, wanted {wanted} for {version}")
     status |= found != [wanted]
 sys.exit(status)

@@ -9,6 +9,8 @@
 // Compilers also factor and cancel terms (Mesa turns a/4 + b/4 into (a + b)/4, and 1 + x - 1 into x) where a formula
 // does not say precise; such results lie inside too, unless the formula cancels, and then it has to say precise.
 //
+// Where a language cannot say precise, Order::Any lets every term that the formula rounds on its own be off by a few units.
+//
 // A comparison of overlapping intervals has two outcomes. enumerateOutcomes runs a function once for each combination.
 #ifndef LVSM_PARITY_INTERVAL_HPP
 #define LVSM_PARITY_INTERVAL_HPP
@@ -23,6 +25,16 @@
 
 namespace parity
 {
+
+// Of sums and products: as they are written, or as a language without `precise` leaves them to its compiler.
+enum class Order
+{
+    AsWritten,
+    Any
+};
+
+// What another order costs, in units of 2^-24: at most four terms, each rounded, and once more by what follows.
+constexpr double kOtherOrder = 8.0 / (1 << 24);
 
 // The decisions of one run, and the way to the next run.
 class Decisions
@@ -119,6 +131,16 @@ public:
     static Interval rounded(double lo, double hi)
     {
         return std::isnan(lo) || std::isnan(hi) ? anything() : flushed(floatBelow(lo), floatAbove(hi));
+    }
+
+    // Of the formulas that follow.
+    static inline thread_local Order order = Order::AsWritten;
+
+    // A term that `precise` would round on its own.
+    static Interval term(Interval x)
+    {
+        const double more = order == Order::Any ? kOtherOrder : 0.0;
+        return {x.lo() - more * std::abs(x.lo()), x.hi() + more * std::abs(x.hi())};
     }
 
     // The result of an operation with an error of so many units in the last place.
@@ -335,6 +357,12 @@ template <>
 constexpr parity::Interval lvsm::detail::maximum(parity::Interval a, parity::Interval b)
 {
     return {a.lo() > b.lo() ? a.lo() : b.lo(), a.hi() > b.hi() ? a.hi() : b.hi()};
+}
+
+template <>
+inline parity::Interval lvsm::detail::rounded(parity::Interval x)
+{
+    return parity::Interval::term(x);
 }
 
 #endif

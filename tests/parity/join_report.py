@@ -2,8 +2,8 @@
 """join_report.py LVSM_PARITY FOLDER OUTPUT [--complete]: joins the reports of the parity cases into one list.
 
 Fails unless every row of functions.def has run in C++ at least, over inputs of its own domain and hostile ones, and
-nothing that ran was outside its range or not finite. With --complete, fails unless each was run in C++, GLSL and HLSL,
-the shaders on two devices and HLSL by two compilers. Reports of functions that are no more are deleted.
+nothing that ran was outside its range or not finite. With --complete, fails unless each was run in C++, GLSL, HLSL
+and WGSL, the shaders on two devices and HLSL by two compilers. Reports of functions that are no more are deleted.
 """
 import argparse
 import json
@@ -14,7 +14,7 @@ import sys
 
 HOSTILE = "hostile"
 # Of each language, how many compilers and devices.
-NEEDED = {"cpp": (1, 1), "glsl": (1, 2), "hlsl": (2, 2)}
+NEEDED = {"cpp": (1, 1), "glsl": (1, 2), "hlsl": (2, 2), "wgsl": (1, 2)}
 
 
 def reports(folder, functions):

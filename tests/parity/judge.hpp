@@ -45,21 +45,22 @@ std::vector<Words> thinnedInputs(const Row& row, std::size_t every);
 class Judge
 {
 public:
-    explicit Judge(const Row& row, std::size_t every = 1);
+    // order: what the language and its compiler make of sums.
+    Judge(const Row& row, Order order, std::size_t every = 1);
 
     const std::vector<Words>& inputs() const { return m_inputs; }
 
     // Inputs whose decisions are too many to follow; only the range of their results is checked.
     std::size_t undecided() const { return m_undecided; }
 
-    // results: componentCount floats for each input. slack: what is allowed beyond Vulkan's rules, of 1 or of the result where
-    // that is larger. One verdict for the domain, one for the hostile inputs.
-    std::vector<Verdict> judge(const std::vector<float>& results, double slack = 0.0) const;
+    // results: componentCount floats for each input. One verdict for the domain, one for the hostile inputs.
+    std::vector<Verdict> judge(const std::vector<float>& results) const;
 
 private:
     void allow(const Words& words);
 
     const Row& m_row;
+    Order m_order;
     int m_components;
     std::vector<Words> m_inputs;    // those of the domain first
     std::vector<Allowed> m_allowed; // for each component of the domain's

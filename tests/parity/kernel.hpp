@@ -18,6 +18,9 @@ int componentCount(const std::string& kind);
 std::string glslKernel(const Row& row, const std::string& library);
 std::string hlslKernel(const Row& row, const std::string& library);
 
+// The same in WGSL, which includes nothing and has no macros: library is the text of the one-file version.
+std::string wgslKernel(const Row& row, const std::string& library);
+
 // The same as a fragment shader of GLSL 3.30 and of ES 3.00, to put after #version, precision and the library. The
 // texture lvsm_inputs holds 64 inputs a row, six texels of four words each; an input's results go to its pixel.
 constexpr int kInputsPerRow = 64;

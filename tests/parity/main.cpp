@@ -1,6 +1,7 @@
 // lvsm_parity: runs the rows of functions.def in one language and compares them with the double-precision functions.
 #include "judge.hpp"
 #include "kernel.hpp"
+#include "wgpu.hpp"
 
 #include <shader_compiler.hpp>
 #include <vulkan_device.hpp>
@@ -34,6 +35,7 @@ struct Options
     std::string hlslFolder;
     std::string singleFolder;
     std::string dxc;
+    std::string wgsl;
     std::string report;
     std::vector<std::string> devices = {"llvmpipe", "SwiftShader"};
 };
@@ -196,6 +198,25 @@ std::vector<Run> runShaders(const Row& row, const Judge& judge, const Options& o
     return runs;
 }
 
+// WGSL's, whose arrays have the size that its user writes into the file.
+std::vector<Run> runWgsl(const Row& row, const Judge& judge, const Options& options)
+{
+    const std::string maxLayers = "const LVSM_MAX_LAYERS: i32 = 8;";
+    std::string library = readFile(options.singleFolder + "/lvsm_all.wgsl");
+    const std::size_t at = library.find(maxLayers);
+    if (at == std::string::npos)
+        fail("lvsm_all.wgsl has no " + maxLayers);
+    library.replace(at, maxLayers.size(), "const LVSM_MAX_LAYERS: i32 = 12;");
+    const std::size_t numbers = judge.inputs().size() * static_cast<std::size_t>(componentCount(row.kind));
+    const auto results = runWithWgpu(options.wgsl, wgslKernel(row, library), judge.inputs(), numbers, options.devices);
+    if (!results)
+        fail(row.function + ": " + results.error());
+    std::vector<Run> runs;
+    for (const auto& [device, numbersOfDevice] : *results)
+        runs.push_back({"naga", "single", device, judge.judge(numbersOfDevice)});
+    return runs;
+}
+
 void listRows()
 {
     for (const Row& row : rows())
@@ -207,7 +228,7 @@ int runRow(const Row& row, const Options& options)
     // What an earlier run wrote says nothing about this one.
     if (!options.report.empty())
         std::filesystem::remove(options.report);
-    const Judge judge(row);
+    const Judge judge(row, options.language == "wgsl" ? Order::Any : Order::AsWritten);
     if (judge.inputs().size() < 2 * static_cast<std::size_t>(kInputs))
         fail("row " + row.function + " names a domain that is not defined: " + row.domain);
 
@@ -215,6 +236,8 @@ int runRow(const Row& row, const Options& options)
     std::vector<Run> runs;
     if (options.language == "cpp")
         runs.push_back({"c++", "include", "host", judge.judge(runOnHost(row, judge))});
+    else if (options.language == "wgsl")
+        runs = runWgsl(row, judge, options);
     else
         runs = runShaders(row, judge, options, passed);
     if (runs.empty())
@@ -243,13 +266,14 @@ int main(int argc, char** argv)
     Options options;
     CLI::App app("Compares a function of the library in one language with its double-precision C++ version.");
     app.add_option("function", options.function, "a row of functions.def")->required();
-    app.add_option("--language", options.language, "cpp, glsl or hlsl")
+    app.add_option("--language", options.language, "cpp, glsl, hlsl or wgsl")
         ->required()
-        ->check(CLI::IsMember({"cpp", "glsl", "hlsl"}));
+        ->check(CLI::IsMember({"cpp", "glsl", "hlsl", "wgsl"}));
     app.add_option("--glsl", options.glslFolder, "folder that holds lvsm/lvsm.glsl");
     app.add_option("--hlsl", options.hlslFolder, "folder that holds lvsm/lvsm.hlsli");
-    app.add_option("--single", options.singleFolder, "folder of the one-file lvsm_all.glsl and lvsm_all.hlsli");
+    app.add_option("--single", options.singleFolder, "folder of the one-file lvsm_all.glsl, .hlsli and .wgsl");
     app.add_option("--dxc", options.dxc, "the DirectX Shader Compiler; without it HLSL is compiled by glslang alone");
+    app.add_option("--wgsl", options.wgsl, "the command that runs WGSL, tests/support/wgsl");
     app.add_option("--report", options.report, "JSON file to write");
     app.add_option("--devices", options.devices, "parts of device names");
     app.add_flag_callback(

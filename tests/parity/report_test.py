@@ -12,7 +12,8 @@ import tempfile
 JOIN = pathlib.Path(__file__).with_name("join_report.py")
 WAYS = [("cpp", "c++", "host"),
         *[("glsl", "glslang", device) for device in ("llvmpipe", "SwiftShader")],
-        *[("hlsl", compiler, device) for compiler in ("glslang", "dxc") for device in ("llvmpipe", "SwiftShader")]]
+        *[("hlsl", compiler, device) for compiler in ("glslang", "dxc") for device in ("llvmpipe", "SwiftShader")],
+        *[("wgsl", "naga", device) for device in ("llvmpipe", "SwiftShader")]]
 
 
 def good():
@@ -42,9 +43,11 @@ CASES = {
     "not_finite": (lambda files: files["second.hlsl.json"][0].update(non_finite=7), "7 non_finite: second"),
     "outside": (lambda files: files["first.glsl.json"][0].update(outside=1), "1 outside: first"),
     "empty_folder": (lambda files: files.clear(), "first has not run"),
-    "function_missing": (lambda files: [files.pop(f"second.{language}.json") for language in ("cpp", "glsl", "hlsl")],
+    "function_missing": (lambda files: [files.pop(f"second.{language}.json") for language in ("cpp", "glsl", "hlsl", "wgsl")],
                          "second has not run"),
     "device_missing": (lambda files: files["first.glsl.json"].__delitem__(slice(2, None)), "first in glsl"),
+    "wgsl_missing": (lambda files: files.pop("second.wgsl.json"), "second in wgsl"),
+    "wgsl_device_missing": (lambda files: files["first.wgsl.json"].__delitem__(slice(2, None)), "first in wgsl"),
     "compiler_missing": (lambda files: files["first.hlsl.json"].__delitem__(slice(4, None)), "first in hlsl"),
     "old_function": (lambda files: files.update({"old.cpp.json": []}), None),
 }

@@ -1,15 +1,18 @@
-"""Reads the public functions, types and constants of one of lvsm's source files, in any of its three languages.
+"""Reads the public functions, types and constants of one of lvsm's source files, in any of its languages.
 
 It knows only what these files are made of: functions, types and constants at the scope of the file (in C++ of namespace
 lvsm, with namespace detail left out), a /// comment directly above each function and type, // comments elsewhere. What
 it cannot read is a ValueError, so that nothing is overlooked. Types and names come out in one canonical form, so that
-the three languages can be compared: `float2`, `float[]`, `inout float[]`, LVSM_TINY.
+the languages can be compared: `float2`, `float[]`, `inout float[]`, LVSM_TINY.
 """
 import dataclasses
 import pathlib
 import re
 
-LANGUAGES = {"C++": ("include/lvsm", ".hpp"), "GLSL": ("glsl/lvsm", ".glsl"), "HLSL": ("hlsl/lvsm", ".hlsli")}
+from wgsl_declarations import glsl_of_wgsl
+
+LANGUAGES = {"C++": ("include/lvsm", ".hpp"), "GLSL": ("glsl/lvsm", ".glsl"), "HLSL": ("hlsl/lvsm", ".hlsli"),
+             "WGSL": ("wgsl/lvsm", ".wgsl")}
 UMBRELLA = "lvsm"
 # Such a line in the first comment of a header makes its topic one of C++ alone: what no shader runs.
 HOST_ALONE = "On the host alone"
@@ -46,6 +49,12 @@ def source(root, language, topic):
     return pathlib.Path(root) / folder / (topic + suffix)
 
 
+def read(root, language, topic):
+    """The text of a file; that of WGSL with its declarations as GLSL would have them."""
+    text = source(root, language, topic).read_text()
+    return glsl_of_wgsl(text) if language == "WGSL" else text
+
+
 def topics(root, language):
     folder, suffix = LANGUAGES[language]
     return {path.stem for path in (pathlib.Path(root) / folder).glob("*" + suffix)}
@@ -59,7 +68,14 @@ def files(root):
 
 
 def needs(path, folder):
-    """What a file includes and these include in turn, each after what it needs itself: the order in which to paste."""
+    """What a file includes and these include in turn, each after what it needs itself: the order in which to paste.
+
+    WGSL includes nothing, and a topic needs what it does in GLSL."""
+    if path.suffix == ".wgsl":
+        folder = folder.parents[1] / LANGUAGES["GLSL"][0]
+        path = folder / path.with_suffix(".glsl").name
+        if not path.exists():
+            return []
     found = []
     for bracket, name in re.findall(r'^#include ([<"])([^>"]+)', path.read_text(), re.MULTILINE):
         if bracket == "<":
@@ -111,7 +127,7 @@ def file_scope(text):
 
 def declarations(root, language, topic):
     """What a file declares at its scope, in its order, but for namespace detail."""
-    flat, docs, bodies = file_scope(source(root, language, topic).read_text())
+    flat, docs, bodies = file_scope(read(root, language, topic))
     flat = re.sub(r"^\s*#(?:[^\n]*\\\n)*.*", "", flat, flags=re.MULTILINE)
     found, at, bodies = [], 0, iter(bodies)
     while flat[at:].strip():
@@ -227,7 +243,7 @@ def types(root, language, topic, canonical=True):
 
 def constants(root, language, topic):
     """The values of a topic's constants, rounded to float, by canonical name."""
-    text = file_scope(source(root, language, topic).read_text())[0]
+    text = file_scope(read(root, language, topic))[0]
     found = {}
     for name, value in re.findall(r"\b(?:const|constexpr) \w+ (\w+) = ([^;]+);", text):
         value = re.sub(r"\b(LVSM_\w+|k[A-Z]\w*)(<T>)?", lambda m: repr(found[canonical_constant(m[1])]), value)

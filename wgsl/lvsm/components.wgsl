@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: config.
+// Components of a mixture of planes: what a filter window sees of one surface, and how many of them become few.
+//
+// A component holds the moments of its taps, of first and second order in place and depth, which merge exactly. A window
+// starts with a component a tap; insertComponent merges the two that are cheapest to merge whenever there are more than
+// count. Windows grow as a tree: mix the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a step apart
+// that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its deviation. The
+// topic mixture codes the result and judges receivers by it.
+
+// Most components of a mixture.
+const LVSM_MAX_COMPONENTS: i32 = 4;
+
+// Largest place of a component in texels, and largest spread.
+const LVSM_MOST_PLACE: f32 = 256.0;
+const LVSM_MOST_SPREAD: f32 = 65536.0;
+
+/// The part of a filter window that one surface covers, as moments of its taps.
+/// weight: its share of the window, in [0,1]. place: mean place of its taps from the texel's centre, in texels, in
+/// [-256,256]. depth: their mean, in [0,1]. spread: covariance of place, xx, xy and yy. tilt: covariance of place and
+/// depth. variance: of depth. A component of weight 0 is none.
+struct lvsm_MixtureComponent
+{
+    weight: f32,
+    place: vec2f,
+    depth: f32,
+    spread: vec3f,
+    tilt: vec2f,
+    variance: f32,
+}
+
+/// What a filter window sees: up to four components, in any order.
+struct lvsm_Mixture
+{
+    components: array<lvsm_MixtureComponent, LVSM_MAX_COMPONENTS>,
+}
+
+fn lvsm_noComponent() -> lvsm_MixtureComponent
+{
+    var none: lvsm_MixtureComponent;
+    none.weight = 0.0;
+    none.place = vec2f(0.0);
+    none.depth = 0.0;
+    none.spread = vec3f(0.0);
+    none.tilt = vec2f(0.0);
+    none.variance = 0.0;
+    return none;
+}
+
+// Every member in its documented range.
+fn lvsm_validComponent(c: lvsm_MixtureComponent) -> lvsm_MixtureComponent
+{
+    var valid: lvsm_MixtureComponent;
+    valid.weight = clamp(c.weight, 0.0, 1.0);
+    valid.place = clamp(c.place, vec2f(-LVSM_MOST_PLACE), vec2f(LVSM_MOST_PLACE));
+    valid.depth = clamp(c.depth, 0.0, 1.0);
+    valid.spread = clamp(c.spread, vec3f(0.0, -LVSM_MOST_SPREAD, 0.0), vec3f(LVSM_MOST_SPREAD));
+    valid.tilt = clamp(c.tilt, vec2f(-LVSM_MOST_PLACE), vec2f(LVSM_MOST_PLACE));
+    valid.variance = clamp(c.variance, 0.0, 1.0);
+    return valid;
+}
+
+fn lvsm_merged(a: lvsm_MixtureComponent, b: lvsm_MixtureComponent) -> lvsm_MixtureComponent
+{
+    let sum = a.weight + b.weight;
+    let inverse = 1.0 / max(sum, LVSM_TINY);
+    let first = a.weight * inverse;
+    let second = b.weight * inverse;
+    let p = b.place - a.place;
+    let z = b.depth - a.depth;
+    let side = first * second * p;
+    var c: lvsm_MixtureComponent;
+    c.weight = sum;
+    c.place = a.place + second * p;
+    c.depth = a.depth + second * z;
+    c.spread = first * a.spread + second * b.spread + vec3f(side.x * p.x, side.x * p.y, side.y * p.y);
+    c.tilt = first * a.tilt + second * b.tilt + side * z;
+    c.variance = first * a.variance + second * b.variance + first * second * z * z;
+    return c;
+}
+
+fn lvsm_slopeOf(c: lvsm_MixtureComponent) -> vec2f
+{
+    let ridge = max(0.5 - 0.5 * c.weight, 0.000244140625);
+    let xx = c.spread.x + ridge;
+    let yy = c.spread.z + ridge;
+    let determinant = max(xx * yy - c.spread.y * c.spread.y, ridge * ridge);
+    let solved = vec2f(yy * c.tilt.x - c.spread.y * c.tilt.y, xx * c.tilt.y - c.spread.y * c.tilt.x);
+    return clamp(solved / determinant, vec2f(-1.0), vec2f(1.0));
+}
+
+fn lvsm_residualOf(c: lvsm_MixtureComponent, g: vec2f) -> f32
+{
+    let x = g.x * (g.x * c.spread.x + g.y * c.spread.y - 2.0 * c.tilt.x);
+    let y = g.y * (g.x * c.spread.y + g.y * c.spread.z - 2.0 * c.tilt.y);
+    let rest = c.variance + (x + y);
+    return max(rest, 0.0);
+}
+
+// What a component costs: its weight times the deviation from its plane.
+fn lvsm_costOf(c: lvsm_MixtureComponent) -> f32
+{
+    return c.weight * sqrt(lvsm_residualOf(c, lvsm_slopeOf(c)) + 1.0e-8);
+}
+
+/// Standard deviation of the tree's window along each axis, in texels.
+/// rounds: of the tree, each three texels along x and three along y, from 0 to 7, clamped to it: widths 1, 3, 7, 15,
+/// 31 and so on. Result in [0, 52.26].
+/// Source: a step of s texels with weights 1/4, 1/2, 1/4 adds the variance s^2 / 2; the steps are 1, 2, 4 and so on.
+fn lvsm_mixtureDeviation(rounds: i32) -> f32
+{
+    var variance = 0.0;
+    var extent = 1.0;
+    for (var i = 0; i < 7; i++)
+    {
+        if (i < rounds)
+        {
+            variance += 0.5 * extent;
+        }
+        extent *= 4.0;
+    }
+    return select(0.0, sqrt(variance), variance > 0.0);
+}
+
+/// Component of one tap: a point.
+/// depth: in [0,1], clamped to it. Result: all of the window, at the texel's centre.
+fn lvsm_tapComponent(depth: f32) -> lvsm_MixtureComponent
+{
+    var tap = lvsm_noComponent();
+    tap.weight = 1.0;
+    tap.depth = clamp(depth, 0.0, 1.0);
+    return tap;
+}
+
+/// Component of one texel whose surface slopes: a square of one texel in the surface's plane.
+/// depth: in the middle of the texel, in [0,1], clamped to it. gradient: change of depth per texel, each component
+/// clamped to [-1,1]; 0 where the surface ends inside the texel. Result: all of the window, at the texel's centre.
+/// Source: the moments of a plane over a square, whose variance along each side is 1/12.
+fn lvsm_slopedComponent(depth: f32, gradient: vec2f) -> lvsm_MixtureComponent
+{
+    let part = 1.0 / 12.0;
+    let g = clamp(gradient, vec2f(-1.0), vec2f(1.0));
+    var texel = lvsm_tapComponent(depth);
+    texel.spread = vec3f(part, 0.0, part);
+    texel.tilt = part * g;
+    texel.variance = part * (g.x * g.x + g.y * g.y);
+    return texel;
+}
+
+/// Component seen from another texel's window.
+/// component: any; its members are clamped to their ranges. offset: from the window's centre to the component's old one,
+/// in texels, each component clamped to [-256,256]. share: of the old window in the new one, in [0,1], clamped to it.
+/// Result: a component; its place is clamped to [-256,256].
+/// Source: central moments do not depend on the centre that places are counted from.
+fn lvsm_moveComponent(component: lvsm_MixtureComponent, offset: vec2f, share: f32) -> lvsm_MixtureComponent
+{
+    var moved = lvsm_validComponent(component);
+    let most = vec2f(LVSM_MOST_PLACE);
+    moved.weight = moved.weight * clamp(share, 0.0, 1.0);
+    moved.place = clamp(moved.place + clamp(offset, -most, most), -most, most);
+    return moved;
+}
+
+/// Two components as one: the moments of all their taps, exactly.
+/// first, second: any; their members are clamped to their ranges. Result: a component whose weight is the sum, in [0,2],
+/// spread in [-131072,131072], tilt in [-512,512] and variance in [0,2].
+/// Degenerate: two of weight 0 give first with weight 0.
+/// Source: pairwise central moments, Chan, Golub & LeVeque 1979.
+fn lvsm_mergeComponents(first: lvsm_MixtureComponent, second: lvsm_MixtureComponent) -> lvsm_MixtureComponent
+{
+    var a = lvsm_validComponent(first);
+    let b = lvsm_validComponent(second);
+    if (a.weight + b.weight < LVSM_TINY)
+    {
+        a.weight = 0.0;
+        return a;
+    }
+    return lvsm_merged(a, b);
+}
+
+/// Slope of the plane that fits a component best.
+/// component: any; its members are clamped to their ranges. Result: change of depth per texel, each in [-1,1].
+/// Degenerate: a lone tap has no slope: (0, 0).
+/// Source: least squares with a ridge of (1 - weight) / 2 texels squared, which keeps few taps from wild slopes and
+/// spares a full window; it is 2^-12 at least.
+fn lvsm_componentSlope(component: lvsm_MixtureComponent) -> vec2f
+{
+    return lvsm_slopeOf(lvsm_validComponent(component));
+}
+
+/// Mean squared distance, in depth, of a component's taps from a plane through its centroid.
+/// component: any; its members are clamped to their ranges. slope: of the plane per texel, each component clamped to
+/// [-1,1]. Result in depth squared, in [0, 263170].
+/// Source: E[(z - g.p)^2] of central moments.
+fn lvsm_componentResidual(component: lvsm_MixtureComponent, slope: vec2f) -> f32
+{
+    return lvsm_residualOf(lvsm_validComponent(component), clamp(slope, vec2f(-1.0), vec2f(1.0)));
+}
+
+/// What merging two components costs: by how much the weighed deviations from the planes grow.
+/// first, second: any; their members are clamped to their ranges. Result in [-1,1], 0 or more for what taps made,
+/// but for rounding and the ridge.
+/// Source: W sqrt(R + e^2) of the merged less that of the two, R from componentResidual and e = 1e-4, under which
+/// deviations do not count.
+fn lvsm_mergePrice(first: lvsm_MixtureComponent, second: lvsm_MixtureComponent) -> f32
+{
+    let a = lvsm_validComponent(first);
+    let b = lvsm_validComponent(second);
+    let price = lvsm_costOf(lvsm_merged(a, b)) - (lvsm_costOf(a) + lvsm_costOf(b));
+    return clamp(price, -1.0, 1.0);
+}
+
+/// Adds a component to a mixture; where there is no room for it, the two of all that cost least to merge are merged.
+/// mixture: any, changed in place; members are clamped to their ranges. component: any; nothing happens where its weight
+/// is 0. count: of components that the mixture may have, from 1 to 4, clamped to it; the others are not read.
+/// The moments of the whole stay what they were. Of equal prices the first counts, in the order of the mixture with the
+/// new component last.
+/// Source: greedy agglomeration by mergePrice.
+fn lvsm_insertComponent(mixture: ptr<function, lvsm_Mixture>, component: lvsm_MixtureComponent, count: i32)
+{
+    let last = clamp(count, 1, LVSM_MAX_COMPONENTS);
+    let partner = lvsm_validComponent(component);
+    if (!(partner.weight > 0.0))
+    {
+        return;
+    }
+
+    // Loops end where a compiler sees it and return nowhere, so that they are unrolled and components stay in registers.
+    var costs: array<f32, LVSM_MAX_COMPONENTS>;
+    var room = LVSM_MAX_COMPONENTS;
+    for (var i = LVSM_MAX_COMPONENTS - 1; i >= 0; i--)
+    {
+        costs[i] = 0.0;
+        if (i < last)
+        {
+            (*mixture).components[i] = lvsm_validComponent((*mixture).components[i]);
+            costs[i] = lvsm_costOf((*mixture).components[i]);
+            room = select(i, room, (*mixture).components[i].weight > 0.0);
+        }
+    }
+    for (var r = 0; r < LVSM_MAX_COMPONENTS; r++)
+    {
+        if (r == room)
+        {
+            (*mixture).components[r] = partner;
+        }
+    }
+    if (room < LVSM_MAX_COMPONENTS)
+    {
+        return;
+    }
+
+    // Pairs (m, n), where n = last stands for the new component.
+    let newCost = lvsm_costOf(partner);
+    var least = 1.0e30;
+    var first = 0;
+    var second = last;
+    for (var m = 0; m < LVSM_MAX_COMPONENTS; m++)
+    {
+        for (var n = 1; n < LVSM_MAX_COMPONENTS; n++)
+        {
+            var price = least;
+            if (n > m && n < last)
+            {
+                price = lvsm_costOf(lvsm_merged((*mixture).components[m], (*mixture).components[n])) -
+                        (costs[m] + costs[n]);
+            }
+            if (price < least)
+            {
+                least = price;
+                first = m;
+                second = n;
+            }
+        }
+        if (m < last)
+        {
+            let price = lvsm_costOf(lvsm_merged((*mixture).components[m], partner)) - (costs[m] + newCost);
+            if (price < least)
+            {
+                least = price;
+                first = m;
+                second = last;
+            }
+        }
+    }
+    var added = partner;
+    for (var k = 1; k < LVSM_MAX_COMPONENTS; k++)
+    {
+        if (k == second && k < last)
+        {
+            added = (*mixture).components[k];
+            (*mixture).components[k] = partner;
+        }
+    }
+    for (var f = 0; f < LVSM_MAX_COMPONENTS; f++)
+    {
+        if (f == first)
+        {
+            (*mixture).components[f] = lvsm_merged((*mixture).components[f], added);
+        }
+    }
+}
+
+/// Makes one of components that are one surface: those whose merging costs less than any code tells.
+/// mixture: any, changed in place; members are clamped to their ranges. count: of components, from 1 to 4, clamped to it;
+/// the others are not read. All are merged where that costs less than 1e-4, or else pairs, in the order of the mixture;
+/// what is merged into another becomes none. Do so before coding: a surface that fills a window is then one plane, whose
+/// slope is known best.
+/// Source: mergePrice; a tenth of a step of a coded depth.
+fn lvsm_simplifyMixture(mixture: ptr<function, lvsm_Mixture>, count: i32)
+{
+    let last = clamp(count, 1, LVSM_MAX_COMPONENTS);
+    var whole = lvsm_validComponent((*mixture).components[0]);
+    var costs = lvsm_costOf(whole);
+    (*mixture).components[0] = whole;
+    for (var k = 1; k < LVSM_MAX_COMPONENTS; k++)
+    {
+        if (k < last)
+        {
+            (*mixture).components[k] = lvsm_validComponent((*mixture).components[k]);
+            whole = lvsm_merged(whole, (*mixture).components[k]);
+            costs += lvsm_costOf((*mixture).components[k]);
+        }
+    }
+    let isOne = lvsm_costOf(whole) - costs < 1.0e-4;
+    for (var i = 0; i < LVSM_MAX_COMPONENTS; i++)
+    {
+        for (var j = 1; j < LVSM_MAX_COMPONENTS; j++)
+        {
+            if (j > i && j < last)
+            {
+                let a = (*mixture).components[i];
+                let b = (*mixture).components[j];
+                let both = lvsm_merged(a, b);
+                let price = lvsm_costOf(both) - (lvsm_costOf(a) + lvsm_costOf(b));
+                if (a.weight > 0.0 && b.weight > 0.0 && (isOne || price < 1.0e-4))
+                {
+                    (*mixture).components[i] = both;
+                    (*mixture).components[j] = lvsm_noComponent();
+                }
+            }
+        }
+    }
+}
+
+/// Mixture of four taps of a texel: multisampled depths, or 2 x 2 texels of a map that is kept at half resolution.
+/// depths: each in [0,1], clamped to it. x, y: places of the taps from the texel's centre, in texels, each component
+/// clamped to [-256,256]. count: of components, as insertComponent takes it. Result: each tap weighs 1/4.
+fn lvsm_mixtureOfTaps(depths: vec4f, x: vec4f, y: vec4f, count: i32) -> lvsm_Mixture
+{
+    var mixture: lvsm_Mixture;
+    for (var i = 0; i < LVSM_MAX_COMPONENTS; i++)
+    {
+        mixture.components[i] = lvsm_noComponent();
+    }
+    lvsm_insertComponent(&mixture, lvsm_moveComponent(lvsm_tapComponent(depths.x), vec2f(x.x, y.x), 0.25), count);
+    lvsm_insertComponent(&mixture, lvsm_moveComponent(lvsm_tapComponent(depths.y), vec2f(x.y, y.y), 0.25), count);
+    lvsm_insertComponent(&mixture, lvsm_moveComponent(lvsm_tapComponent(depths.z), vec2f(x.z, y.z), 0.25), count);
+    lvsm_insertComponent(&mixture, lvsm_moveComponent(lvsm_tapComponent(depths.w), vec2f(x.w, y.w), 0.25), count);
+    return mixture;
+}
