@@ -19,7 +19,7 @@ std::string callOf(int layers)
            n +
            " + 1]; float depth; float width; float result; };\n"
            "void main()\n{\n"
-           "    result = lvsm_sampleLayers(map, vec2(0.5), vec2(0.0), vec2(0.0), depth, splits, " +
+           "    result = lvsm_sampleLayers(map, lvsm_mapPoint(vec2(0.5), vec2(0.0), vec2(0.0), 0), depth, splits, " +
            n + ", width, width, 1e-5);\n}\n";
 }
 
