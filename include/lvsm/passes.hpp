@@ -127,7 +127,7 @@ BlurKernel kernelOf(int size, bool paired, const Weight& weight)
     const float middle = 0.5f * static_cast<float>(size - 1);
     for (int i = 0; i < size; i += paired ? 2 : 1)
     {
-        const glm::dvec2 pair = linearPair(weight(i), paired && i + 1 < size ? weight(i + 1) : 0.0);
+        const glm::dvec2 pair = linearPair(weight(i), paired ? weight(i + 1) : 0.0);
         kernel.taps[kernel.fetchCount][0] = static_cast<float>(i) - middle + static_cast<float>(pair.x);
         kernel.taps[kernel.fetchCount++][1] = static_cast<float>(pair.y);
     }

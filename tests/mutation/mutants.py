@@ -87,7 +87,8 @@ class File:
                 i = self.partner[i]
             elif token.text == "{":
                 close = self.partner[i]
-                head = [t.text for t in self.tokens[statement:i]]
+                # The = of <typename T = float> is no initialiser's.
+                head = ["" if t.template else t.text for t in self.tokens[statement:i]]
                 if "(" in head and "=" not in head[:head.index("(")]:
                     self.bodies.append((head[head.index("(") - 1], i + 1, close))
                     self.results[i + 1] = self._result(statement, statement + head.index("(") - 1)
@@ -167,7 +168,7 @@ def other_numbers(text, is_real):
     if float(number) == 0:
         return [number.replace("0", "1", 1) + suffix]
     if is_real:
-        return [f"2 * {number}" + suffix, f"0.5 * {number}" + suffix]
+        return [f"2 * {number}" + suffix, f"0.5{suffix} * {number}" + suffix]
     return [str(int(number) + 1), str(int(number) - 1)]
 
 
@@ -179,11 +180,12 @@ def numbers(file, i):
     if re.match("0[xX]", token.text) or token.text.endswith("u"):  # bits
         return
     if is_real and file.is_bound(i) and float(token.text.rstrip("f")) == 1:
-        yield token.start, token.end, "0.5"
+        yield token.start, token.end, "0.5f" if token.text.endswith("f") else "0.5"
         return
     for new in other_numbers(token.text, is_real):
-        # GLSL takes no whole number for a real one.
-        yield token.start, token.end, re.sub(r"^2 \*", "2.0 *", new) if "." in token.text else new
+        # GLSL takes no whole number for a real one, and a template of C++ no double beside a float.
+        real = "2.0f *" if token.text.endswith("f") else "2.0 *"
+        yield token.start, token.end, re.sub(r"^2 \*", real, new) if "." in token.text else new
 
 
 def calls(file, i):
@@ -258,10 +260,20 @@ def statements(file, i):
         yield file.tokens[i].start, file.tokens[end - 1].end, ""
 
 
+def is_length(file, i):
+    """Whether token i is in the length of an array that is declared: a longer one changes nothing."""
+    while i > 0 and file.at(i) not in ("[", ";", "{", "}"):
+        i -= 1
+    return file.at(i) == "[" and file.tokens[i - 1].kind == "name" and file.at(i - 2) in (*REALS, "int", "short")
+
+
 def in_body(file, begin, end):
+    skipped = -1  # to the end of an assertion, which states what callers have to keep
     for i in range(begin, end):
         token = file.tokens[i]
-        if token.template:
+        if token.text in ("LVSM_ASSERT", "static_assert"):
+            skipped = file.partner[i + 1] + 1
+        if token.template or i <= skipped or is_length(file, i):
             continue
         if token.kind == "number":
             yield from numbers(file, i)
@@ -286,6 +298,10 @@ def outside_bodies(file):
     """Changes of constants and of members' defaults; whole constants give arrays their lengths, and are left."""
     statement, kinds = [], []
     for i in file.outside:
+        if file.tokens[i].template:  # typename T = float, and the 2 of vec<2, T> behind it
+            continue
+        if file.at(i - 1) == "}" and file.at(i) != ";":  # of a function, which no semicolon ends
+            statement = []
         statement.append(i)
         if file.at(i) != ";":
             continue

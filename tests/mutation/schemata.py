@@ -1,7 +1,6 @@
 """One build that holds every mutant of the C++ headers: each function body once for each of its mutants, in a switch
 over a number that the environment gives. Building thousands of programs would take a day."""
 import collections
-import json
 import os
 import pathlib
 import re
@@ -14,7 +13,9 @@ import mutants as maths
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 # -O1: the mutants run the tests thousands of times, and are compiled once.
-FLAGS = ["-std=c++17", "-O1", "-w", "-fno-strict-aliasing"]
+# A mutant that leaves an array or an integer's range is stopped there, as the sanitizers of tests/fuzz would.
+FLAGS = ["-std=c++17", "-O1", "-w", "-fno-strict-aliasing", "-fsanitize=bounds,signed-integer-overflow,float-cast-overflow",
+         "-fsanitize-undefined-trap-on-error"]
 
 
 def edited(text, start, mutant):
@@ -64,7 +65,7 @@ def with_all(text, file, mutants, numbers):
         lines += [mutant] * piece.count("\n")
     joined = "".join(piece for piece, _ in pieces)
     # A constant that a mutant may change is none for the compiler.
-    joined = re.sub(r"\bconstexpr (T k\w+ = [^;]*lvsmSelectedMutant)", r"inline const \1", joined)
+    joined = re.sub(r"\bconstexpr ([\w<>]+ k\w+ = [^;]*lvsmSelectedMutant)", r"inline const \1", joined)
     return joined, lines
 
 
@@ -79,9 +80,7 @@ class Build:
         self.compiler = compiler
         self.jobs = jobs
         self.numbers = {mutant.key: number for number, mutant in enumerate(mutants)}
-        # Keys of mutants that do not compile, remembered from run to run.
-        self.remembered = self.folder / "broken.json"
-        self.broken = set(json.loads(self.remembered.read_text())) if self.remembered.exists() else set()
+        self.broken = set()  # keys of mutants that do not compile
         self.lines = []
         self.program = self.folder / "lvsm_unit"
 
@@ -124,7 +123,7 @@ class Build:
         return found
 
     def run(self, sources):
-        """Builds; mutants that do not compile are left out and remembered."""
+        """Builds; mutants that do not compile are left out."""
         for _ in range(8):
             self.write_headers()
             with futures.ThreadPoolExecutor(self.jobs) as pool:
@@ -135,7 +134,6 @@ class Build:
             if not blamed:
                 sys.exit("mutate: the headers with their mutants do not compile:\n" + messages[0][:4000])
             self.broken |= blamed
-            self.remembered.write_text(json.dumps(sorted(self.broken), indent=1) + "\n")
         else:
             sys.exit("mutate: mutants that do not compile remain after eight rounds")
         objects = [str(self.folder / (source.stem + ".o")) for source in sources]

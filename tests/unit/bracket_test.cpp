@@ -315,6 +315,7 @@ TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in what layers ar
     CHECK(mergeLayers(a, b, T(-3), T(0.5)) == mergeLayers(a, b, T(0), T(0.5)));
     CHECK(mergeLayers(a, b, T(0.5), T(3)) == mergeLayers(a, b, T(0.5), T(1)));
     CHECK(mergeLayers(a, b, T(0.5), T(-3)) == mergeLayers(a, b, T(0.5), T(0)));
+    CHECK(mergeLayers(a, b, T(0.5), T(-0.25)) == mergeLayers(a, b, T(0.5), T(0)));
     CHECK(compactMoments(Vec2<T>(T(0.125), T(-2))) == compactMoments(Vec2<T>(T(0.125), T(0))));
     CHECK(expandMoments(Vec2<T>(T(0.75), T(3))) == expandMoments(Vec2<T>(T(0.75), T(1))));
     CHECK(expandMoments(Vec2<T>(T(0.75), T(-3))) == expandMoments(Vec2<T>(T(0.75), T(0))));
@@ -335,6 +336,24 @@ TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in what layers ar
     const Vec4<T> texel(T(0.75), T(0.6875), T(0.25), T(0.1875));
     CHECK(bracketedVisibility2(texel, T(0.5), T(3), T(0.001)) == bracketedVisibility2(texel, T(0.5), T(1), T(0.001)));
     CHECK(bracketedVisibility2(texel, T(0.5), T(-3), T(0.001)) == bracketedVisibility2(texel, T(0.5), T(0), T(0.001)));
+    CHECK(bracketedVisibility2(texel, T(0.9), T(3), T(0.001)) == bracketedVisibility2(texel, T(0.9), T(1), T(0.001)));
+    // Where the layer itself is nearly all in front or behind, a neighbour's share is not cut off by that.
+    const Vec2<T> nearlyFront(T(0.125), T(0.1)), nearlyBehind(T(0.9), T(0.875)), out(-1, T(0.5)), beyond(3, 1);
+    CHECK(bracketMoments(out, nearlyFront, nothing, T(1)) ==
+          bracketMoments(Vec2<T>(0, T(0.5)), nearlyFront, nothing, T(1)));
+    CHECK(bracketMoments(none, nearlyBehind, beyond, T(1)) == bracketMoments(none, nearlyBehind, none, T(1)));
+    CHECK(seen(Vec2<T>(T(0.75), T(0.5)), behind, T(-3)) == seen(Vec2<T>(T(0.75), T(0.5)), behind, T(0)));
+    // Two layers in one texel, whose moments a filter may take out of [0,1] as well.
+    const auto ofTwo = [](T x, T y, T z, T w, T depth)
+    {
+        return bracketedVisibility2(Vec4<T>(x, y, z, w), depth, T(0.5), T(0.05));
+    };
+    const T z = T(0.25), w = T(0.1875);
+    CHECK(ofTwo(-1, 0, z, w, T(0.875)) == ofTwo(0, 0, z, w, T(0.875)));
+    CHECK(ofTwo(0, 1, z, w, T(0.875)) == ofTwo(0, 0, z, w, T(0.875)));
+    CHECK(ofTwo(z, w, T(-0.5), T(0.25), T(0.375)) == ofTwo(z, w, 0, T(0.25), T(0.375)));
+    CHECK(ofTwo(z, w, 3, w, T(0.375)) == ofTwo(z, w, 2, w, T(0.375)));
+    CHECK(ofTwo(z, w, 1, 9, T(0.375)) == ofTwo(z, w, 1, 4, T(0.375)));
     CHECK(mergedVisibility(a, b, T(0.5), T(0.25), T(0.375), T(0.75), T(0)) ==
           layeredVisibility(mergeLayers(a, b, T(0.125), T(0.375)), T(0.5), Vec2<T>(T(0.25), T(0.75)), T(0)));
 }
@@ -404,6 +423,10 @@ TEST_CASE("bracketedVisibility2 is bracketedVisibility for two layers")
         const double general = bracket.visibility(depth, floor);
         // d is off by a few 2^-53 against a least d or deviation of 1e-3.
         tally.claim(std::abs(two - general) < 1e-9, depth, splits[1], two, general);
+        // A receiver at the split belongs to the layer behind it.
+        const Bracket second(window, splits, 1, 2);
+        const double atSplit = bracketedVisibility2(texel, splits[1], splits[1], kFloor);
+        tally.claim(std::abs(atSplit - second.visibility(splits[1], kFloor)) < 1e-9, splits[1], atSplit);
         const double last = bracketedVisibility2(texel, 1.0, splits[1], floor);
         const double beyond = bracketedVisibility2(texel, 1 + depth, splits[1], floor);
         tally.claim(beyond >= 0 && beyond <= last, depth, splits[1], beyond, last);

@@ -215,6 +215,74 @@ TEST_CASE_TEMPLATE("terms beyond the order count nothing", T, float, double)
     CHECK(two == fourierSum(Vec4<T>(1, 1, -1, -1), Vec4<T>(1, 1, -1, -1), T(0.3), T(0), 1, 2, T(0)));
 }
 
+// In [-pi, pi] the devices promise how precise their sines are.
+TEST_CASE_TEMPLATE("every angle is taken to half a turn, either way", T, float, double)
+{
+    Tally tally;
+    for (int index : {1, 2, 3, 16, 256})
+    {
+        for (int i = -512; i <= 512; ++i)
+        {
+            const T angle = detail::fourierAngle(T(i) / 512, index);
+            tally.claim(std::abs(Exact(angle)) <= kPiExact * (1 + 2 * kRoundoff<T>), index, i, angle);
+            const Exact turns = (Exact(2 * index - 1) * i / 512 - Exact(angle) / kPiExact) / 2;
+            tally.claim(std::abs(turns - std::round(turns)) <= 2 * kRoundoff<T>, index, i, angle);
+        }
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE_TEMPLATE("numbers of terms and their orders out of range count as the ends", T, float, double)
+{
+    CHECK(fourierOffset<T>(-1) == T(0.25));
+    CHECK(fourierOffset<T>(256) == T(1) / 512);
+    CHECK(fourierOffset<T>(257) == T(1) / 512);
+    const T depth = T(0.3);
+    for (const int less : {0, -1, -100})
+    {
+        CHECK(fourierSines(depth, less, 16) == fourierSines(depth, 1, 16));
+        CHECK(fourierCosines(depth, less, 16) == fourierCosines(depth, 1, 16));
+        CHECK(fourierAttenuation(less, 16, T(2)) == fourierAttenuation(1, 16, T(2)));
+        CHECK(fourierAttenuation(1, less, T(2)) == fourierAttenuation(1, 2, T(2)));
+        CHECK(fourierAttenuation(1, 1, T(2)) == fourierAttenuation(1, 2, T(2)));
+    }
+    CHECK(fourierAttenuation(1, 2, T(2)) == doctest::Approx(std::exp(-0.5)));
+    CHECK(fourierAttenuation(5, 4, T(2)) == fourierAttenuation(4, 4, T(2)));
+    CHECK(fourierAttenuation(1, 4, T(2)) == doctest::Approx(std::exp(-0.125)));
+    CHECK(fourierAttenuation(128, 257, T(2)) == fourierAttenuation(128, 256, T(2)));
+    CHECK(fourierAttenuation(128, 256, T(2)) == doctest::Approx(std::exp(-0.5)));
+    for (const int more : {257, 300})
+    {
+        CHECK(fourierSines(depth, more, 256) == fourierSines(depth, 256, 256));
+        CHECK(fourierCosines(depth, more, 256) == fourierCosines(depth, 256, 256));
+    }
+    CHECK(fourierSines(depth, 255, 256).y == fourierSines(depth, 256, 256).x);
+    CHECK(fourierCosines(depth, 255, 256).y == fourierCosines(depth, 256, 256).x);
+    // At the last number one term of the four counts.
+    const Vec4<T> ones(1), one(1, -1, -1, -1);
+    for (const int order : {256, 257, 300})
+    {
+        const T last = fourierSum(ones, ones, depth, T(0), 256, order, T(0));
+        CHECK(last != 0);
+        CHECK(fourierSum(one, one, depth, T(0), 256, order, T(0)) == last);
+        CHECK(fourierSum(ones, ones, depth, T(0), 257, order, T(0)) == last);
+    }
+    CHECK(fourierSum(ones, ones, depth, T(0), 1, 1, T(0)) == fourierSum(ones, ones, depth, T(0), 1, 2, T(0)));
+    // Of four terms depth 1 is moved in front of depth 0 by 3/4.
+    CHECK(fourierSum(ones, ones, T(1), T(0.75), 1, 4, T(0)) == fourierSum(ones, ones, T(0), T(0), 1, 4, T(0)));
+}
+
+TEST_CASE_TEMPLATE("visibility is a half and the sum, in [0,1], times the scale", T, float, double)
+{
+    CHECK(fourierVisibility(T(0.125), T(0.5)) == T(0.3125));
+    CHECK(fourierVisibility(T(-0.25), T(1)) == T(0.25));
+    CHECK(fourierVisibility(T(-0.25), T(2)) == T(0.5));
+    CHECK(fourierVisibility(T(0.25), T(2)) == 1);
+    CHECK(fourierVisibility(T(0.9), T(0.5)) == T(0.5));
+    CHECK(fourierVisibility(T(-0.9), T(2)) == 0);
+    CHECK(fourierVisibility(T(0.25), T(-1)) == 0);
+}
+
 TEST_CASE_TEMPLATE("8 bits keep a term within half a step, and the middle and ends exactly", T, float, double)
 {
     const auto throughUnorm8 = [](T term)

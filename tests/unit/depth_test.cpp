@@ -49,6 +49,12 @@ TEST_CASE_TEMPLATE("linstep of an empty or inverted range is a step at hi", T, f
     }
 }
 
+TEST_CASE_TEMPLATE("linstep of a range longer than 2^126 ends there", T, float, double)
+{
+    CHECK(linstep(T(0x1p125), T(0), T(0x1p127)) == T(0.5));
+    CHECK(linstep(T(0x1p126), T(0), T(0x1p127)) == 1);
+}
+
 TEST_CASE_TEMPLATE("linstep never falls and never leaves its ends open", T, float, double)
 {
     Random random(1);
@@ -106,10 +112,17 @@ TEST_CASE_TEMPLATE("planeLightDepth scales by the length of its direction", T, f
 
 TEST_CASE_TEMPLATE("planeLightDepth counts components beyond 1e18 as 1e18", T, float, double)
 {
-    const Vec3<T> along(0, 0, 1);
-    const T far = T(4.0e18);
-    CHECK(planeLightDepth(Vec3<T>(0, 0, T(3.0e18)), Vec3<T>(0), along, T(0), far) ==
-          planeLightDepth(Vec3<T>(0, 0, T(1.0e18)), Vec3<T>(0), along, T(0), far));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        for (const T sign : {T(-1), T(1)})
+        {
+            Vec3<T> one(0), far(0);
+            one[axis] = sign;
+            far[axis] = sign * T(3.0e18);
+            CHECK(planeLightDepth(far, Vec3<T>(0), one, T(0), T(4.0e18)) == T(0.25));
+            CHECK(planeLightDepth(one, Vec3<T>(0), far, T(0), T(4.0e18)) == T(0.25));
+        }
+    }
 }
 
 TEST_CASE_TEMPLATE("light depths are a step at the far distance where near is not in front of it", T, float, double)
@@ -197,6 +210,20 @@ TEST_CASE_TEMPLATE("linear depths count planes that are not positive as 0", T, f
     CHECK(linearDepthReversed(z, T(-1), T(-2)) == 1 - z);
     CHECK(linearDepth(z, T(-1), T(2)) == linearDepth(z, T(0), T(2)));
     CHECK(linearDepthReversed(z, T(1), T(-2)) == linearDepthReversed(z, T(1), T(0)));
+    // Nor do they take anything from the other plane's part.
+    CHECK(linearDepth(z, T(-100), T(2)) == 0);
+    CHECK(linearDepth(z, T(2), T(-100)) == 1);
+    CHECK(linearDepthReversed(z, T(-100), T(2)) == 0);
+    CHECK(linearDepthReversed(z, T(2), T(-100)) == 1);
+}
+
+TEST_CASE_TEMPLATE("linear depths count planes beyond 2^126 as there", T, float, double)
+{
+    const T most = std::numeric_limits<T>::max();
+    CHECK(linearDepth(T(0.5), most, T(0x1p126)) == T(0.5));
+    CHECK(linearDepth(T(0.5), T(0x1p126), most) == T(0.5));
+    CHECK(linearDepthReversed(T(0.5), most, T(0x1p126)) == T(0.5));
+    CHECK(linearDepthReversed(T(0.5), T(0x1p126), most) == T(0.5));
 }
 
 TEST_CASE_TEMPLATE("signedDepth maps 0 1/2 1 to -1 0 1 and clamps", T, float, double)

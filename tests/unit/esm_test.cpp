@@ -171,6 +171,16 @@ TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in exponential sh
     CHECK(logFiltered(Vec2<T>(T(-3), T(2)), T(2)) == logFiltered(Vec2<T>(T(0), T(2)), T(2)));
     CHECK(logFiltered(Vec2<T>(T(1), T(0)), T(1)) == T(0));
 
+    // The filter in log space: exponents, and sums and weights of up to 2^125.
+    for (const T less : {T(-3), T(0.75)})
+        CHECK(logAdd(sum, T(0.25), T(0.5), less) == logAdd(sum, T(0.25), T(0.5), T(1)));
+    CHECK(logAdd(Vec2<T>(T(0.5), T(0x1p126)), T(0.5), T(0), T(2)) == Vec2<T>(T(0.5), T(0x1p125)));
+    CHECK(logAdd(Vec2<T>(0), T(0.5), T(0x1p126), T(2)) == Vec2<T>(T(0.5), T(0x1p125)));
+    const T most = std::numeric_limits<T>::max();
+    CHECK(logFiltered(Vec2<T>(0, 2), most) == logFiltered(Vec2<T>(0, 2), T(0x1p126)));
+    CHECK(logShadow(T(0), T(0x1p-124), most) == logShadow(T(0), T(0x1p-124), T(0x1p126)));
+    CHECK(logShadow(T(0), T(0x1p-124), most) == doctest::Approx(std::exp(-4.0)).epsilon(1e-6));
+
     CHECK(maxTermExponent(T(100), T(0.25)) == maxTermExponent(T(100), T(1)));
     CHECK(maxTermExponent(T(0), T(1)) == T(0));
     CHECK(maxTermExponent(T(1), T(1)) == T(0));

@@ -139,6 +139,10 @@ TEST_CASE_TEMPLATE("the carried floor is at most the squared warp and never nega
             CHECK(most.y == (c.y > 0 ? warped.y * warped.y : T(0)));
         }
     }
+    // Exponents out of range count as its ends.
+    CHECK(exponentialMinVariance(T(0.001), T(0.75), Vec2<T>(-5)) == Vec2<T>(0));
+    CHECK(exponentialMinVariance(T(1.0e-6), T(0.75), Vec2<T>(100)) ==
+          exponentialMinVariance(T(1.0e-6), T(0.75), Vec2<T>(kMaxExponent<T>)));
 }
 
 TEST_CASE_TEMPLATE("exponential visibility bounds the lit share of every distribution", T, float, double)

@@ -310,6 +310,8 @@ TEST_CASE_TEMPLATE("layerMinVariance divides by the square of the layer's length
     CHECK(layerMinVariance(T(0x1p-10), Vec2<T>(T(0.5), T(1))) == T(0x1p-8));
     CHECK(layerMinVariance(T(0x1p-10), Vec2<T>(0, 1)) == T(0x1p-10));
     CHECK(layerMinVariance(T(-1), Vec2<T>(0, 1)) == 0);
+    // No layer is longer than all depths.
+    CHECK(layerMinVariance(T(0x1p-10), Vec2<T>(-1, 1)) == T(0x1p-10));
 }
 
 TEST_CASE_TEMPLATE("the floor of a layer is the global floor seen through its warp", T, float, double)

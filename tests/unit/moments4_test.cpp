@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distributions.hpp"
+#include "ranges.hpp"
 
 namespace lvsm::unit
 {
@@ -261,6 +262,41 @@ TEST_CASE("flat lit surfaces stay lit for biases below the default")
     LVSM_CHECK_TALLY(tally);
 }
 
+TEST_CASE_TEMPLATE("without any bias one depth and two are judged as they are", T, float, double)
+{
+    // One depth: lit in front of it and at it, dark behind it.
+    const Vec4<T> flat = depthMoments4(T(0.75));
+    for (int i = 0; i <= 64; ++i)
+        CHECK(momentVisibility4(flat, T(i) / 64, T(0)) == doctest::Approx(i <= 48 ? 1 : 0).epsilon(1e-6));
+    // Two: the share of the farther is lit at its depth.
+    const Vec4<T> two = T(0.25) * depthMoments4(T(0)) + T(0.75) * depthMoments4(T(0.5));
+    CHECK(momentVisibility4(two, T(0.5), T(0)) == doctest::Approx(0.75));
+}
+
+TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in four moments", T, float, double)
+{
+    const Range<T> odd{-1, 1}, even{0, 1};
+    const auto momentsAt = [](const auto& a, std::size_t i)
+    {
+        return Vec4<T>(a[i], a[i + 1], a[i + 2], a[i + 3]);
+    };
+    checkEnds<T, 4>({odd, even, odd, even}, [&](const auto& a) { return encodeMoments4(momentsAt(a, 0)); });
+    checkEnds<T, 6>({odd, even, odd, even, odd, even},
+                    [&](const auto& a) { return hamburgerUpperBound(momentsAt(a, 0), a[4], a[5]); });
+    const Vec2<T> interval(T(0.25), T(0.75));
+    const Vec4<T> front = T(0.25) * depthMoments4(T(0.5)) + T(0.75) * depthMoments4(T(1));
+    const Vec4<T> behind = T(0.25) * depthMoments4(T(0.5)) + T(0.75) * depthMoments4(T(0));
+    checkEnds<T, 6>({odd, even, odd, even, Range<T>{T(0.25), T(0.75)}, even}, [&](const auto& a)
+                    { return bracketedVisibility4(front, momentsAt(a, 0), behind, a[4], interval, a[5]); });
+}
+
+// JCGT section 2 has the two constants; here they are what so many roundings of half a step need.
+TEST_CASE("the published biases are what rounding asks for")
+{
+    CHECK(kMoment4BiasUnorm16<double> == doctest::Approx(recommendedMoment4Bias(1.6 * 0.5 / 65535)).epsilon(0.02));
+    CHECK(kMoment4BiasFp32<double> == doctest::Approx(recommendedMoment4Bias(2.385 * 0.9 * 0x1p-25)).epsilon(0.05));
+}
+
 struct Layered
 {
     Vec4<double> front, moments, behind;
@@ -330,6 +366,18 @@ TEST_CASE("bracketed four moments stay bounds in 16 bits")
                     layers.visibility(t, bias));
     }
     LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE_TEMPLATE("with nothing in front of a layer and behind it only its own moments count", T, float, double)
+{
+    const Vec2<T> interval(T(0.25), T(0.5));
+    const T bias = T(1.0e-3);
+    // The last have no window, as rounding makes them: less than no share of them is behind.
+    for (const Vec4<T>& own : {T(0.5) * (depthMoments4(T(0.25)) + depthMoments4(T(0.5))), Vec4<T>(T(-0.9), 0, 0, 0)})
+    {
+        const T bracketed = bracketedVisibility4(Vec4<T>(1), own, Vec4<T>(-1, 1, -1, 1), T(0.35), interval, bias);
+        CHECK(bracketed == doctest::Approx(layeredVisibility4(own, T(0.35), interval, bias)).epsilon(0.01));
+    }
 }
 
 TEST_CASE_TEMPLATE("bracketed four moments know a layer that is all in front or all behind", T, float, double)

@@ -98,6 +98,23 @@ TEST_CASE_TEMPLATE("boundedUpperBound adds 9/4 of the floor over t^2 to what sam
     CHECK(boundedUpperBound(moments, T(0.8), T(-0.5)) == doctest::Approx(0.25));
 }
 
+TEST_CASE_TEMPLATE("boundedUpperBound takes what exceeds its range to its end", T, float, double)
+{
+    // A mean below 0 takes nothing from what the floor adds; nor does a mean square over 1.
+    const Vec2<T> below(-1, 0);
+    CHECK(boundedUpperBound(below, T(0.5), T(0.01)) == chebyshevUpperBound(below, T(0.5), T(0.01)));
+    CHECK(boundedUpperBound(Vec2<T>(T(0.5), 5), T(0.8), T(0.1)) ==
+          boundedUpperBound(Vec2<T>(T(0.5), 1), T(0.8), T(0.1)));
+    // Nothing is lighter beyond the far end than there, even by moments that no window has.
+    CHECK(boundedUpperBound(Vec2<T>(T(0.5), 1), T(1), T(0)) == T(0));
+    CHECK(boundedUpperBound(Vec2<T>(T(0.5), 1), T(2), T(0)) == T(0));
+    // A floor of 1 leaves Cantelli's bound alone, by whatever moments.
+    CHECK(boundedUpperBound(Vec2<T>(0, 1), T(1), T(1)) == T(0.5));
+    // Nothing is at the least depth there is, where all is at 0.
+    if (isBorne(std::numeric_limits<T>::denorm_min()))
+        CHECK(boundedUpperBound(Vec2<T>(0), std::numeric_limits<T>::denorm_min(), T(0)) == T(0));
+}
+
 // With an error e of each moment and a floor of e^2 (1 - D) / D: Cantelli's bound loses at most D, and the parabolas
 // lose at most e^2 / minVariance, which is D / (1 - D).
 TEST_CASE("boundedUpperBound keeps flat lit surfaces lit by the floor of Chebyshev's bound")

@@ -31,6 +31,11 @@ TEST_CASE("orthographicDepths and perspectiveDepths give the distances of the pr
         CHECK(distanceOf(lvsm::perspectiveDepths(2, 10, true, 2, 10), z) ==
               doctest::Approx(2 + 8 * lvsm::linearDepthReversed(z, 2.0, 10.0)));
     }
+    const lvsm::DepthBlock range = lvsm::orthographicDepths(2, 10, false, 3, 7);
+    CHECK(range.range[0] == 3.0f);
+    CHECK(range.range[1] == 7.0f);
+    CHECK(range.isPerspective == 0);
+    CHECK(lvsm::perspectiveDepths(2, 10, false, 3, 7).isPerspective == 1);
     const float infinity = std::numeric_limits<float>::infinity();
     CHECK(distanceOf(lvsm::perspectiveDepths(2, infinity, true, 2, 10), 0.25) == doctest::Approx(8));
 }
@@ -42,6 +47,10 @@ TEST_CASE("pointDepths has tangents that reach the edges of the map")
     CHECK(96 * block.tangents[0] + block.tangents[2] == doctest::Approx(1));
     CHECK(32 * block.tangents[1] + block.tangents[3] == doctest::Approx(-0.5));
     CHECK(48 * block.tangents[1] + block.tangents[3] == doctest::Approx(0.5));
+    // A map of no texels counts as one of one.
+    const lvsm::DepthBlock none = lvsm::pointDepths(1, 10, false, 1, 10, {1.0f, 0.5f}, {0, 0, 0, -5});
+    CHECK(none.tangents[0] == 2.0f);
+    CHECK(none.tangents[1] == 1.0f);
 }
 
 TEST_CASE("the block of a depth buffer has the offsets of std140 and of constant buffers")

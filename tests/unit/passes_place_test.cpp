@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cstddef>
+#include <initializer_list>
 
 TEST_CASE("relaxPass takes the host's options and covers the map with groups of 32 x 32 texels")
 {
@@ -24,6 +25,23 @@ TEST_CASE("relaxPass takes the host's options and covers the map with groups of 
     CHECK(pass.histogramBytes == 1024 * (16 + 4 * 4));
 }
 
+TEST_CASE("a placement takes up to 64 layers and covers maps of any size")
+{
+    for (const int most : {64, 65, 1000})
+        CHECK(lvsm::relaxPass(most, {0, 0, 32, 32}).block.layerCount == 64);
+    for (int extent = 1; extent <= 96; ++extent)
+    {
+        const lvsm::PlacePass pass = lvsm::relaxPass(2, {3, 4, extent, 97 - extent});
+        CHECK(pass.groups.x == (extent <= 32 ? 1 : extent <= 64 ? 2 : 3));
+        CHECK(pass.groups.y == (extent >= 65 ? 1 : extent >= 33 ? 2 : 3));
+        CHECK(pass.groups.z == 1);
+    }
+    lvsm::RelaxOptions<float> options;
+    options.tolerance = 0.125f;
+    CHECK(lvsm::relaxPass(2, {0, 0, 32, 32}, options).block.tolerance == 0.125f);
+    CHECK(lvsm::relaxPass(2, {0, 0, 32, 32}, options).block.keepSplits == 0);
+}
+
 TEST_CASE("optimalPass counts the least length in bins, and leaves room for all layers")
 {
     const lvsm::Rectangle map{0, 0, 32, 1};
@@ -37,6 +55,13 @@ TEST_CASE("optimalPass counts the least length in bins, and leaves room for all 
     options.minLength = 0.0f;
     CHECK(lvsm::optimalPass(8, map, options).block.leastBins == 1);
     CHECK(lvsm::optimalPass(0, map).block.layerCount == 1);
+    options.minLength = 0.999f;
+    CHECK(lvsm::optimalPass(1, map, options).block.leastBins == 1022);
+    CHECK(lvsm::optimalPass(5, map, options).block.leastBins == 204);
+    options.minLength = 1.0e30f;
+    CHECK(lvsm::optimalPass(8, map, options).block.leastBins == 128);
+    options.uniformShare = 0.125f;
+    CHECK(lvsm::optimalPass(8, map, options).block.uniformShare == 0.125f);
 }
 
 TEST_CASE("the block of the placement has the offsets of std140 and of constant buffers")

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <vector>
 
 namespace
 {
@@ -85,7 +86,57 @@ TEST_CASE("a blur of a whole map runs twice over it")
     CHECK(passes.down.block.direction[1] == 1.0f);
     CHECK(passes.down.block.slice == 2);
     CHECK(passes.down.block.fetchCount == 5);
-    CHECK(passes.down.block.border[3] == 4.0f);
+    for (int c = 0; c < 4; ++c)
+        CHECK(passes.down.block.border[c] == static_cast<float>(c + 1));
+}
+
+TEST_CASE("the blocks of a blur hold the kernel's taps")
+{
+    for (const int size : {1, 2, 9, 65})
+    {
+        const lvsm::BlurKernel kernel = lvsm::gaussianKernel(size, 3.0f, false);
+        const auto passes = lvsm::blurPasses(kernel, {0, 0, 8, 8}, {0, 0, 8, 8}, glm::vec4(1));
+        for (const lvsm::BlurBlock& block : {passes.across.block, passes.down.block})
+        {
+            REQUIRE(block.fetchCount == size);
+            for (int i = 0; i < size; ++i)
+            {
+                CHECK(block.taps[i][0] == kernel.taps[i][0]);
+                CHECK(block.taps[i][1] == kernel.taps[i][1]);
+            }
+        }
+    }
+}
+
+TEST_CASE("as many groups as cover a region")
+{
+    for (int extent = 0; extent <= 33; ++extent)
+    {
+        const auto pass = lvsm::storePass(nullptr, 0, 0.0f, {3, 4, extent, 33 - extent});
+        CHECK(pass.groups.x == static_cast<int>(std::ceil(extent / 8.0)));
+        CHECK(pass.groups.y == static_cast<int>(std::ceil((33 - extent) / 8.0)));
+        CHECK(pass.groups.z == 1);
+    }
+}
+
+TEST_CASE("a kernel has from 1 to 65 taps")
+{
+    for (const bool paired : {true, false})
+    {
+        for (const int less : {0, -7})
+        {
+            CHECK(lvsm::binomialKernel(less, paired).size == 1);
+            CHECK(lvsm::gaussianKernel(less, 1.0f, paired).size == 1);
+            CHECK(lvsm::binomialKernel(less, paired).taps[0][1] == 1.0f);
+        }
+        for (const int more : {66, 1000})
+        {
+            CHECK(lvsm::binomialKernel(more, paired).size == 65);
+            CHECK(lvsm::gaussianKernel(more, 1.0f, paired).size == 65);
+        }
+        for (const float width : {65.0f, 66.0f, 1000.0f})
+            CHECK(weightOf(lvsm::boxKernel(width, paired), 32) == doctest::Approx(1.0 / 65));
+    }
 }
 
 TEST_CASE("a region's first direction makes the rows that the second reads, and none off the map")
@@ -101,8 +152,12 @@ TEST_CASE("a region's first direction makes the rows that the second reads, and 
     const auto edge = lvsm::blurPasses(lvsm::binomialKernel(9), map, {60, 126, 8, 8}, glm::vec4(1));
     CHECK(same(edge.across.region, {64, 122, 4, 6}));
     CHECK(same(edge.down.region, {64, 126, 4, 2}));
+    const auto corner = lvsm::blurPasses(lvsm::binomialKernel(9), map, {126, 60, 8, 8}, glm::vec4(1));
+    CHECK(same(corner.down.region, {126, 64, 2, 4}));
     const auto beside = lvsm::blurPasses(lvsm::binomialKernel(9), map, {0, 0, 8, 8}, glm::vec4(1));
-    CHECK(beside.down.groups.x * beside.down.groups.y == 0);
+    CHECK(same(beside.down.region, {64, 64, 0, 0}));
+    CHECK(beside.down.groups.x == 0);
+    CHECK(beside.down.groups.y == 0);
 }
 
 TEST_CASE("the pass that stores layers takes a slice for two of them")
@@ -116,7 +171,33 @@ TEST_CASE("the pass that stores layers takes a slice for two of them")
     CHECK(pass.block.firstSlice == 4);
     CHECK(pass.block.splits[2] == 0.5f);
     CHECK(pass.block.splits[4] == 1.0f);
-    CHECK(lvsm::storePass(nullptr, 0, 0.0f, {0, 0, 8, 8}).groups.z == 1);
+    CHECK(pass.block.overlap == 0.01f);
+    CHECK(lvsm::storePass(splits, 2, 0.0f, {0, 0, 8, 8}).groups.z == 1);
+    CHECK(lvsm::storePass(splits, 1, 0.0f, {0, 0, 8, 8}).block.splits[0] == 0.0f);
+}
+
+TEST_CASE("a map of no layers takes one slice, and one of more than 64 has 64")
+{
+    std::vector<float> splits;
+    for (int i = 0; i <= 65; ++i)
+        splits.push_back(static_cast<float>(i) / 65.0f);
+    for (const int none : {0, -3})
+    {
+        const auto pass = lvsm::storePass(nullptr, none, 0.0f, {0, 0, 8, 8});
+        CHECK(pass.groups.z == 1);
+        CHECK(pass.block.layerCount == 0);
+        for (const float split : pass.block.splits)
+            CHECK(split == 1.0f);
+    }
+    for (const int most : {64, 65, 1000})
+    {
+        const auto pass = lvsm::storePass(splits.data(), most, 0.0f, {0, 0, 8, 8});
+        CHECK(pass.groups.z == 32);
+        CHECK(pass.block.layerCount == 64);
+        CHECK(pass.block.splits[64] == splits[64]);
+        for (int i = 65; i < 68; ++i)
+            CHECK(pass.block.splits[i] == 1.0f);
+    }
 }
 
 TEST_CASE("blocks have the offsets of std140 and of constant buffers")

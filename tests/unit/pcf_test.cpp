@@ -149,6 +149,15 @@ TEST_CASE_TEMPLATE("pcfVisibility of no texels is lit", T, float, double)
     CHECK(pcfVisibility(Vec2<T>(-1, -1)) == 1);
 }
 
+TEST_CASE_TEMPLATE("weights beyond 2^122 and sums beyond 2^125 count as these", T, float, double)
+{
+    const Vec4<T> none(0), lit(1), shadow(0), receivers(T(0.5));
+    const Vec4<T> heavy(T(0x1p125), 0, 0, 0);
+    CHECK(pcfAdd(Vec2<T>(0), lit, heavy, receivers, T(0)) == Vec2<T>(T(0x1p122), T(0x1p122)));
+    CHECK(pcfAdd(Vec2<T>(0), shadow, heavy, receivers, T(0)) == Vec2<T>(0, T(0x1p122)));
+    CHECK(pcfAdd(Vec2<T>(T(0x1p126)), lit, none, receivers, T(0)) == Vec2<T>(T(0x1p125)));
+}
+
 TEST_CASE_TEMPLATE("percentage-closer filtering stays in range for any arguments", T, float, double)
 {
     Tally tally;

@@ -106,6 +106,7 @@ TEST_CASE_TEMPLATE("neighbourhoodTexCoord clamps texels and sizes", T, float, do
     CHECK(neighbourhoodTexCoord<T>(glm::ivec2(77, 77), size) == Vec2<T>(1, 1));
     CHECK(neighbourhoodTexCoord<T>(glm::ivec2(-5, -5), size) == Vec2<T>(T(1) / T(10), T(1) / T(20)));
     CHECK(neighbourhoodTexCoord<T>(glm::ivec2(0, 0), glm::ivec2(0, -7)) == Vec2<T>(1, 1));
+    CHECK(neighbourhoodTexCoord<T>(glm::ivec2(0, 0), glm::ivec2(-7, 0)) == Vec2<T>(1, 1));
     // Any size, the largest included: within (0,1], and midway between two texels.
     CHECK(neighbourhoodTexCoord<T>(glm::ivec2(0), glm::ivec2(std::numeric_limits<int>::max())).x > 0);
     CHECK(neighbourhoodTexCoord<T>(glm::ivec2(1000), glm::ivec2(1920, 1080)).x == T(1001) / T(1920));
@@ -241,6 +242,9 @@ TEST_CASE("scheduledSplits with one or no inner split, and with frames that make
     CHECK(scheduledSplits(5, 0) == glm::ivec2(0, 0));
     CHECK(scheduledSplits(5, -5) == glm::ivec2(0, 0));
     CHECK(scheduledSplits(-5, 4) == scheduledSplits(0, 4));
+    CHECK(scheduledSplits(32767, 65536) == glm::ivec2(65535, 1));
+    CHECK(scheduledSplits(1000, 100000) == scheduledSplits(1000, 65536));
+    CHECK(scheduledSplits(40000, 100000) == scheduledSplits(40000, 65536));
     const glm::ivec2 many = scheduledSplits(std::numeric_limits<int>::max(), std::numeric_limits<int>::max());
     CHECK(many.x >= 1);
     CHECK(many.x <= 65535);
@@ -300,6 +304,12 @@ TEST_CASE_TEMPLATE("teleportSplits merges the layers of an empty split and halve
     // The first of two empty ones moves; the layer in front of the only full one is the first of the heaviest.
     CHECK(teleport({0, T(0.25), T(0.5), T(0.75), 1}, {0, 0, 0, 2, 0}) ==
           std::vector<T>{0, T(0.5), T(0.625), T(0.75), 1});
+    // Less than no weight is none.
+    CHECK(teleport({0, T(0.25), T(0.5), T(0.75), 1}, {0, -9, -8, 2, 0}) ==
+          teleport({0, T(0.25), T(0.5), T(0.75), 1}, {0, 0, 0, 2, 0}));
+    // The middle is that of splits in [0,1].
+    CHECK(teleport({0, 5, 6, 7, 1}, {0, 1, 9, 0, 0}) == std::vector<T>{0, 5, 1, 6, 1});
+    CHECK(teleport({0, -6, -5, -4, 1}, {0, 1, 9, 0, 0}) == std::vector<T>{0, -6, 0, -5, 1});
     // What stands beside the inner weights is not read.
     CHECK(teleport({0, T(0.25), T(0.5), 1}, {99, 3, 0, 99}) == teleport({0, T(0.25), T(0.5), 1}, {0, 3, 0, 0}));
 }
@@ -335,6 +345,14 @@ TEST_CASE_TEMPLATE("teleportSplits does what erase and insert on a list do", T, 
         for (int k = 0; k <= count; ++k)
             weights.push_back(random.between(0, 2) == 0 ? T(0) : T(random.between(1, 4)));
         const std::vector<T> truth = teleported(splits, weights);
+        const auto inner = [&](auto begin)
+        {
+            return std::count(begin + 1, begin + count, T(0));
+        };
+        const auto empty = inner(weights.begin());
+        std::vector<T> copy = splits;
+        const bool moved = detail::teleport(copy.data(), count, [&](int k) { return weights[std::size_t(k)]; });
+        tally.claim(moved == (empty > 0 && empty < count - 1) && copy == truth, i, count);
         teleportSplits(splits.data(), weights.data(), count);
         tally.claim(splits == truth, i, count);
         tally.claim(areValid(splits), i, count);

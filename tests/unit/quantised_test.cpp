@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "distributions.hpp"
+#include "ranges.hpp"
 
 namespace lvsm::unit
 {
@@ -89,6 +90,22 @@ TEST_CASE("every pair of depths comes back from 32 bits within half a step, in o
         }
     }
     LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in quantised moments", T, float, double)
+{
+    const Range<T> unit{0, 1};
+    checkEnds<T, 6>({unit, unit, unit, unit, unit, unit},
+                    [](const auto& a) { return quantisedVisibility4(Vec4<T>(a[0], a[1], a[2], a[3]), a[4], a[5]); });
+    CHECK(packQuantised4(Vec4<T>(T(0.7), T(0.2), T(0.5), T(0.5))) ==
+          packQuantised4(Vec4<T>(T(0.2), T(0.7), T(0.5), T(0.5))));
+}
+
+TEST_CASE("the depth errors are half a step of a depth, and half one of a small weight over all depths")
+{
+    CHECK(kDepthErrorQuantised64<double> == doctest::Approx(0.5 / 65535 + 0.5 / 65535));
+    // The weight is coded as its square root.
+    CHECK(kDepthErrorQuantised32<double> == doctest::Approx(0.5 / 1023 + std::pow(0.5 / 127, 2)));
 }
 
 TEST_CASE("any words unpack to a code")

@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "distributions.hpp"
+#include "ranges.hpp"
 
 namespace lvsm::unit
 {
@@ -181,6 +182,13 @@ TEST_CASE("recommendedTrigonometricBias is the least that makes up for rounding"
     CHECK(isNeeded);
     CHECK(recommendedTrigonometricBias(-1.0) == 0);
     CHECK(recommendedTrigonometricBias(5.0) == 1);
+}
+
+TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in trigonometric moments", T, float, double)
+{
+    const Range<T> unit{0, 1};
+    checkEnds<T, 6>({unit, unit, unit, unit, unit, unit},
+                    [](const auto& a) { return trigonometricVisibility(Vec4<T>(a[0], a[1], a[2], a[3]), a[4], a[5]); });
 }
 
 // The thousandth that the default biases of four moments are asked to keep, too.
