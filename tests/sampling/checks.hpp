@@ -65,6 +65,7 @@ bool checkStore(VulkanContext& context, const Form& form);
 bool checkDepths(VulkanContext& context, const Form& form);
 bool checkFused(VulkanContext& context, const Form& form);
 bool checkStoreExamples(VulkanContext& context, const Form& form);
+bool checkLevels(VulkanContext& context, const Form& form);
 bool checkPlacing(VulkanContext& context, const Form& form);
 
 } // namespace sampling

@@ -74,6 +74,7 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"store_examples_in_their_format", sampling::checkStoreExamples},
                                               {"store", sampling::checkStore},
                                               {"place", sampling::checkPlacing},
+                                              {"levels", sampling::checkLevels},
                                               {"depths", sampling::checkDepths},
                                               {"fused", sampling::checkFused}};
 
