@@ -9,7 +9,8 @@ import {extname, join, normalize} from "node:path";
 const {chromium} = createRequire(join(process.cwd(), "package.json"))("playwright-core");
 
 const TYPES = {".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".json": "application/json"};
-const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
+const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu",
+               "--use-webgpu-adapter=swiftshader", "--disable-quic",
                "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 // What the driver says of our reading pixels back, and of no shader.
 const READBACK = /GPU stall due to ReadPixels/;

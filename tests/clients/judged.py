@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the rows, runs a client on them and judges what it leaves:  judged.py ROWS FOLDER NAME REPORT CLIENT [WORD...]
 
-The language is one without `precise`.
+Sums may come in another order: the language has no `precise`, or the driver keeps it for what says so.
 
 ROWS: the program lvsm_client_rows. FOLDER: of this test's own. NAME: of the client, for the report.
 """

@@ -283,6 +283,8 @@ try
         return 77;
     }
     std::printf("%s, #version %s\n", context->name().c_str(), words[1].c_str());
+    if (words[0] == "functions")
+        std::ofstream(words[3] + "/version") << context->name();
     GLuint vertices = 0;
     glGenVertexArrays(1, &vertices);
     glBindVertexArray(vertices);

@@ -1,10 +1,12 @@
 // lvsm_client_rows: the rows of tests/parity, a few thousand inputs each, as files for a client to run and to be judged.
 //   lvsm_client_rows write FOLDER                 writes FOLDER/FUNCTION.inputs, 24 words an input, and FOLDER/rows.json
-//                                                 with the fragment shader of each, to put after the library
-//   lvsm_client_rows judge FOLDER CLIENT REPORT [imprecise]   reads FOLDER/FUNCTION.results, as many numbers an
-//                                                 input as its result has
+//                                                 with the shaders of each: `kernel`, for fragments, and `wgsl`, to put
+//                                                 after the library; `compute`, of GLSL, to put it after the first line
+//   lvsm_client_rows judge FOLDER CLIENT REPORT ORDER
+//                                                 reads FOLDER/FUNCTION.results, as many numbers an input as its result
+//                                                 has, and FOLDER/version, what the client says of itself
 // The tolerance is that of tests/parity, derived input by input from the precision that Vulkan and OpenGL ES promise.
-// `imprecise`: the language has no `precise`, and the compiler takes a sum in another order than it is written.
+// ORDER: `precise`, or `imprecise` where the language has no such word, and compilers take sums in another order.
 #include "judge.hpp"
 #include "kernel.hpp"
 
@@ -14,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace
 {
@@ -41,7 +44,9 @@ int write(const std::string& folder)
         list.push_back({{"function", row.function},
                         {"inputs", inputs.size()},
                         {"numbers", componentCount(row.kind)},
-                        {"kernel", glslFragmentKernel(row)}});
+                        {"kernel", glslFragmentKernel(row)},
+                        {"compute", glslKernel(row, "")},
+                        {"wgsl", wgslKernel(row, "")}});
     }
     std::ofstream(folder + "/rows.json") << list.dump(1) << '\n';
     return 0;
@@ -67,6 +72,13 @@ std::vector<Verdict> judge(const std::string& folder, const Row& row, Order orde
                         describeInput(judge.inputs()[verdict.worstInput]).c_str());
     }
     return verdicts;
+}
+
+// What the client has said of itself.
+std::string readVersion(const std::string& folder)
+{
+    std::ifstream file(folder + "/version");
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 int judgeAll(const std::string& folder, const std::string& client, const std::string& report, Order order)
@@ -100,6 +112,7 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
                 worst.tolerance);
     std::filesystem::create_directories(std::filesystem::path(report).parent_path());
     std::ofstream(report) << json({{"client", client},
+                                   {"version", readVersion(folder)},
                                    {"functions", rows().size()},
                                    {"inputs", inputs},
                                    {"failed", failed},
@@ -118,10 +131,8 @@ int main(int argc, char** argv)
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.size() == 2 && words[0] == "write")
         return write(words[1]);
-    if (words.size() == 4 && words[0] == "judge")
-        return judgeAll(words[1], words[2], words[3], Order::AsWritten);
-    if (words.size() == 5 && words[0] == "judge" && words[4] == "imprecise")
-        return judgeAll(words[1], words[2], words[3], Order::Any);
-    std::fprintf(stderr, "usage: lvsm_client_rows write FOLDER | judge FOLDER CLIENT REPORT [imprecise]\n");
+    if (words.size() == 5 && words[0] == "judge" && (words[4] == "precise" || words[4] == "imprecise"))
+        return judgeAll(words[1], words[2], words[3], words[4] == "precise" ? Order::AsWritten : Order::Any);
+    std::fprintf(stderr, "usage: lvsm_client_rows write FOLDER | judge FOLDER CLIENT REPORT ORDER\n");
     return 2;
 }

@@ -1,15 +1,9 @@
 // Runs the rows of tests/parity in three.js: lvsm_all.glsl in ShaderChunk, unchanged, and #include <lvsm>.
 import * as THREE from "three";
+import {runRows, text} from "./rows_page.js";
 
 const WORDS = 24;
 const INPUTS_PER_ROW = 64;
-
-async function bytes(url) {
-    const response = await fetch(url);
-    if (!response.ok)
-        throw new Error(`${url}: ${response.status}`);
-    return response.arrayBuffer();
-}
 
 function inputTexture(words) {
     const width = INPUTS_PER_ROW * WORDS / 4;
@@ -55,8 +49,7 @@ function runPart(renderer, row, words, first, results) {
 }
 
 // The results of each input, in the order of the inputs.
-async function run(renderer, row) {
-    const words = new Uint32Array(await bytes(`/rows/${row.function}.inputs`));
+function run(renderer, row, words) {
     const results = new Float32Array(row.numbers * row.inputs);
     for (let first = 0; first < row.numbers; first += 12)
         runPart(renderer, row, words, first, results);
@@ -64,10 +57,8 @@ async function run(renderer, row) {
 }
 
 export async function main() {
-    THREE.ShaderChunk.lvsm = new TextDecoder().decode(await bytes("/single/lvsm_all.glsl"));
+    THREE.ShaderChunk.lvsm = await text("/single/lvsm_all.glsl");
     const renderer = new THREE.WebGLRenderer();
-    const rows = JSON.parse(new TextDecoder().decode(await bytes("/rows/rows.json")));
-    for (const row of rows)
-        await fetch(`/rows/${row.function}.results`, {method: "PUT", body: await run(renderer, row)});
-    return {rows: rows.length, version: THREE.REVISION};
+    await runRows((row, words) => run(renderer, row, words));
+    return {client: "three.js, WebGL2", version: `r${THREE.REVISION}`};
 }
