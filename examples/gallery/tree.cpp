@@ -59,7 +59,9 @@ private:
 
     void addLeaf(glm::vec3 stem)
     {
-        const glm::vec3 facing = tilted({0, 1, 0}, uniform(0.0f, glm::two_pi<float>()), uniform(0.0f, 1.0f));
+        // One after the other: compilers differ about the order in which arguments are computed.
+        const float lean = uniform(0.0f, 1.0f);
+        const glm::vec3 facing = tilted({0, 1, 0}, uniform(0.0f, glm::two_pi<float>()), lean);
         const glm::vec3 along = tilted(facing, uniform(0.0f, glm::two_pi<float>()), glm::half_pi<float>());
         const glm::vec3 across = glm::cross(facing, along) * (0.3f * kLeafLength);
         const glm::vec3 middle = stem + along * (0.5f * kLeafLength);

@@ -40,25 +40,36 @@ function serve(folders) {
     return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-// Opens the page, waits for what its function main() resolves to, and gives that and what the console said. The page's
-// modules import "three" from the current folder's packages. browser: its name and version.
-export async function runPage(page, folders, argument) {
-    const server = await serve({"/packages/": join(process.cwd(), "node_modules"), ...folders});
-    const browser = await chromium.launch({executablePath: process.env.LVSM_CHROMIUM ?? "/usr/bin/chromium", args: FLAGS});
+// Gives act an empty tab and the list of what its console says from then on; options are those of Playwright's newPage,
+// flags more of the browser's. browser: its name and version.
+export async function withTab(options, act, flags = []) {
+    const browser = await chromium.launch({executablePath: process.env.LVSM_CHROMIUM ?? "/usr/bin/chromium",
+                                           args: [...FLAGS, ...flags]});
     try {
-        const tab = await browser.newPage();
+        const tab = await browser.newPage(options);
         const said = [];
         tab.on("console", (message) => {
             if (!READBACK.test(message.text()))
                 said.push(`${message.type()}: ${message.text()}`);
         });
         tab.on("pageerror", (error) => said.push(`error: ${error.stack}`));
-        await tab.goto(`http://127.0.0.1:${server.address().port}${page}`);
-        await tab.waitForFunction("window.main || window.failed", null, {timeout: 60000});
-        const result = await tab.evaluate((value) => window.main(value), argument);
-        return {result, said, browser: `Chromium ${browser.version()}`};
+        return {result: await act(tab, said), said, browser: `Chromium ${browser.version()}`};
     } finally {
         await browser.close();
+    }
+}
+
+// Opens the page, waits for what its function main() resolves to, and gives that and what the console said. The page's
+// modules import "three" from the current folder's packages.
+export async function runPage(page, folders, argument) {
+    const server = await serve({"/packages/": join(process.cwd(), "node_modules"), ...folders});
+    try {
+        return await withTab({}, async (tab) => {
+            await tab.goto(`http://127.0.0.1:${server.address().port}${page}`);
+            await tab.waitForFunction("window.main || window.failed", null, {timeout: 60000});
+            return tab.evaluate((value) => window.main(value), argument);
+        });
+    } finally {
         server.close();
     }
 }

@@ -1,0 +1,73 @@
+// Shader text from the tables: with the settings as uniforms for the viewer, or as constants for whoever copies it.
+import {ESM_SIGNATURE, SIGNATURE, TECHNIQUES} from "./techniques.js";
+
+const MAP = "LVSM_HIGHP sampler2DArray";
+const TYPES = {splits: "float"};
+
+// Values of the technique's constants: [type, name, value].
+export function constantsOf(technique, side, frame) {
+    return TECHNIQUES[technique].constants.map(([type, name, value]) => [type, name, value(side, frame)]);
+}
+
+const suffix = (type) => (type === "splits" ? "[LVSM_MAX_LAYERS + 1]" : "");
+
+export function uniformDeclarations(constants) {
+    return constants.map(([type, name]) => `uniform ${TYPES[type] ?? type} ${name}${suffix(type)};\n`).join("");
+}
+
+export const storeText = (technique) => TECHNIQUES[technique].store;
+
+export function judgeText(technique) {
+    const {judge, unfiltered} = TECHNIQUES[technique];
+    return `${(unfiltered ? ESM_SIGNATURE : SIGNATURE).replaceAll("MAP", MAP)}\n{${judge}\n}\n`;
+}
+
+export function storedText(technique) {
+    return `vec2 stored(${MAP} map, lvsm_MapPoint at, float depth)\n{\n    ${TECHNIQUES[technique].stored.trim()}\n}\n`;
+}
+
+// A number as GLSL and HLSL both read a float.
+function floatText(value) {
+    const text = String(Number(value.toPrecision(7)));
+    return /[.e]/.test(text) ? text.replace(/^(-?\d+)e/, "$1.0e") : `${text}.0`;
+}
+
+function valueText(type, value, maxLayers) {
+    if (type === "splits")
+        return Array.from({length: maxLayers + 1}, (_, i) => floatText(value[i] ?? 1)).join(", ");
+    return {float: () => floatText(value), int: () => String(value), bool: () => String(value),
+            vec2: () => `vec2(${value.map(floatText).join(", ")})`}[type]();
+}
+
+function constantText([type, name, value], maxLayers, isHlsl) {
+    const list = valueText(type, value, maxLayers);
+    if (type !== "splits")
+        return `${isHlsl ? "static " : ""}const ${type} ${name} = ${list};\n`;
+    return isHlsl ? `static const float ${name}[LVSM_MAX_LAYERS + 1] = {${list}};\n`
+                  : `const float ${name}[LVSM_MAX_LAYERS + 1] = float[](${list});\n`;
+}
+
+export const maxLayersFor = (side, technique) => (TECHNIQUES[technique].layered && side.layers > 8 ? 16 : 8);
+
+// The same text in HLSL: types, and maps and samplers apart.
+function toHlsl(text) {
+    return text.replaceAll(`${MAP} map`, "Texture2DArray<float4> map")
+        .replaceAll(`${MAP} unfiltered`, "Texture2DArray<float4> unfiltered")
+        .replaceAll("lvsm_MapPoint at, float depth, vec2", "SamplerState filtering, lvsm_MapPoint at, float depth, vec2")
+        .replace(/\b(map|unfiltered), at\b/g, "$1, filtering, at").replace(/\b(map, )(unfiltered, filtering)/g, "$1$2")
+        .replace(/\bvec([234])\b/g, "float$1");
+}
+
+// The technique with its settings as constants, ready to paste behind lvsm_combined. language: "GLSL" or "HLSL".
+export function pasteable(technique, side, frame, language, header) {
+    const isHlsl = language === "HLSL";
+    const maxLayers = maxLayersFor(side, technique);
+    const constants = constantsOf(technique, side, frame).map((row) => constantText(row, maxLayers, isHlsl)).join("");
+    const text = `${constants}\n${storeText(technique)}\n${judgeText(technique)}`;
+    const file = isHlsl ? "lvsm_separate.hlsli" : "lvsm_combined.glsl";
+    const lines = [...header, `Paste ${file} in front of this${maxLayers > 8 ? `, and in front of that #define LVSM_MAX_LAYERS ${maxLayers}` : ""}.`,
+                   "store: a slice's texel for a depth in [0,1]. visibility: at = lvsm_mapPoint(uv, dFdx(uv), dFdy(uv), 0),",
+                   "depth of the receiver, and its gradient per texel from lvsm_receiverGradient."];
+    const comment = lines.map((line) => `// ${line}\n`).join("");
+    return `${comment}${isHlsl ? toHlsl(text) : text}`;
+}

@@ -1,0 +1,106 @@
+// From the light's depths to what a technique reads: the library's passes store.frag and blur.frag, over every slice.
+import * as THREE from "three";
+import store from "lvsm/shaders/lvsm_store.frag";
+import blur from "lvsm/shaders/lvsm_blur.frag";
+import {largestOf, FORMATS, textureOptions} from "./formats.js";
+import {constantsOf, maxLayersFor, storeText, uniformDeclarations} from "./glsl.js";
+import {blurBlock, fetchesOf, storeBlock} from "./kernel.js";
+import {uniformsOf} from "./passes.js";
+import {sliceCount, TECHNIQUES} from "./techniques.js";
+
+// GLSL's first line is the client's.
+const withoutVersion = (text) => text.replace(/^#version[^\n]*\n/, "");
+const STORE = withoutVersion(store);
+const BLUR = withoutVersion(blur);
+
+export function valuesOf(technique, side, frame) {
+    const maxLayers = maxLayersFor(side, technique);
+    return constantsOf(technique, side, frame).map(([type, name, value]) => {
+        const padded = type === "splits" ? Array.from({length: maxLayers + 1}, (_, i) => value[i] ?? 1) : value;
+        return [name, type === "vec2" ? new THREE.Vector2(...padded) : padded];
+    });
+}
+
+export class MapMaker {
+    #borders = new Map();
+
+    constructor(passes, timer) {
+        this.passes = passes;
+        this.timer = timer;
+    }
+
+    storeMaterial(technique, side, frame, depths) {
+        const constants = constantsOf(technique, side, frame);
+        const fragment = `#include <lvsm>\n${uniformDeclarations(constants)}${storeText(technique)}
+            #define LVSM_STORE(depth, slice) store(depth, slice)
+            #define LVSM_STORE_LARGEST float(${largestOf(side.format)})\n${STORE}`;
+        const uniforms = uniformsOf(Object.fromEntries(valuesOf(technique, side, frame)));
+        return this.passes.material(fragment, {...uniforms, lvsm_depths: {value: depths}},
+                                    {defines: {LVSM_MAX_LAYERS: maxLayersFor(side, technique)}});
+    }
+
+    // What an empty texel of each slice holds: what is stored for depth 1.
+    borders(technique, side, frame) {
+        const count = sliceCount(TECHNIQUES[technique], side);
+        const key = JSON.stringify([technique, side.format, valuesOf(technique, side, frame)]);
+        if (!this.#borders.has(key)) {
+            this.#borders.clear();
+            const one = new THREE.DataTexture(new Float32Array([1]), 1, 1, THREE.RedFormat, THREE.FloatType);
+            one.needsUpdate = true;
+            const target = this.passes.target("border", {width: 1, height: 1, type: THREE.FloatType, depthBuffer: false,
+                                                          minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter});
+            const material = this.storeMaterial(technique, side, frame, one);
+            const read = Array.from({length: count}, (_, slice) => {
+                this.passes.drawOver(target, material, {block: storeBlock(1, slice)});
+                return [...this.passes.read(target, 1, 1)];
+            });
+            one.dispose();
+            this.#borders.set(key, read);
+        }
+        return this.#borders.get(key);
+    }
+
+    // The map of a side, stored and blurred, and the unblurred one. depths: a texture of the light's linear depths.
+    // frame: what it knows of the kernel, splits, mip maps and anisotropy.
+    make(name, technique, side, frame, depths) {
+        const {channels, filtered, unfiltered} = TECHNIQUES[technique];
+        const slices = sliceCount(TECHNIQUES[technique], side);
+        const size = frame.size;
+        const {normalized} = FORMATS[side.format];
+        const filter = filtered ? THREE.LinearFilter : THREE.NearestFilter;
+        const plain = {width: size, height: size, slices, normalized, ...textureOptions(side.format, channels),
+                       minFilter: filter, magFilter: filter};
+        const hasLevels = filtered && frame.mipmaps;
+        const last = hasLevels ? {...plain, generateMipmaps: true, minFilter: THREE.LinearMipmapLinearFilter,
+                                  anisotropy: frame.anisotropy} : plain;
+        const isBlurred = filtered && frame.kernel.taps > 1;
+
+        const stored = this.passes.target(`${name}.stored`, isBlurred ? plain : last);
+        const material = this.storeMaterial(technique, side, frame, depths);
+        this.timer.measured(`${name} store`, () => {
+            for (let slice = 0; slice < slices; ++slice)
+                this.passes.drawOver(stored, material, {slice, block: storeBlock(size, slice),
+                                                        mipmaps: hasLevels && !isBlurred && slice === slices - 1});
+        });
+        if (!isBlurred)
+            return {map: stored.texture, unfiltered: stored.texture};
+        const blurred = this.passes.target(`${name}.blurred`, last);
+        const halfway = this.passes.target(`${name}.halfway`, {...plain, slices: 1});
+        this.timer.measured(`${name} blur`, () => this.blur(stored, halfway, blurred, this.borders(technique, side, frame),
+                                                           frame, hasLevels));
+        return {map: blurred.texture, unfiltered: unfiltered ? stored.texture : blurred.texture};
+    }
+
+    blur(stored, halfway, blurred, borders, frame, hasLevels) {
+        const fetches = fetchesOf(frame.kernel);
+        borders.forEach((border, slice) => {
+            for (const [from, to, direction, source, target] of [[stored, halfway, [1, 0], slice, 0],
+                                                                 [halfway, blurred, [0, 1], 0, slice]]) {
+                const material = this.passes.material(BLUR, {lvsm_source: {value: from.texture}});
+                this.passes.drawOver(to, material, {
+                    slice: target, block: blurBlock(fetches, frame.size, direction, border, source),
+                    mipmaps: to === blurred && hasLevels && slice === borders.length - 1});
+            }
+        });
+    }
+}

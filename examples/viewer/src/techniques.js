@@ -1,0 +1,284 @@
+// The techniques as data. The panel shows what `settings` names, the passes store and judge with the GLSL here, and the
+// same text with the settings as constants is what the copy buttons give.
+//
+//   settings    names of rows in settings.js, each with its default: a value, or a function of (side, device)
+//   formats     of the map, the first that the device has being the default; channels: how many components it needs
+//   slices      of the map, for the side's settings
+//   constants   [type, name, value] of what the GLSL names, for the side's settings and what the frame knows
+//   store       vec4 store(float depth, int slice): what a slice holds for a depth
+//   judge       the rest: float visibility(...), see MAP
+//   stored      mean and spread of the stored depths, for the views: vec2 stored(MAP map, lvsm_MapPoint at, float depth)
+import {depthErrorOf} from "./formats.js";
+
+// What visibility is called with. ESM alone reads the unblurred map too.
+export const SIGNATURE = "float visibility(MAP map, lvsm_MapPoint at, float depth, vec2 gradient)";
+export const ESM_SIGNATURE = "float visibility(MAP map, MAP unfiltered, lvsm_MapPoint at, float depth, vec2 gradient)";
+
+// recommendedMinVariance of three roundings, storing and two passes of a blur, and a hundredth of light; 6e-8 covers a
+// compiler without `precise`.
+function floorOf(format) {
+    return Math.max(99 * (3 * depthErrorOf(format)) ** 2, 6e-8);
+}
+
+const floorOfLayer = (side) => floorOf(side.format) / side.layers ** 2;
+
+const LAYERED = [
+    ["int", "layerCount", (side) => side.layers],
+    ["splits", "splits", (side, frame) => frame.splits],
+];
+const SHIFTED = [["float", "shift", (side) => side.shift]];
+const REDUCED = [["float", "amount", (side) => side.reduction]];
+const FLOORED = [["float", "minVariance", (side) => side.minVariance]];
+
+const depthOfLayer = (moments) => `
+    int layer = lvsm_layerIndex(depth, splits, layerCount);
+    vec2 moments = ${moments};
+    float extent = splits[layer + 1] - splits[layer];
+    return vec2(splits[layer] + extent * moments.x, extent * sqrt(lvsm_variance(moments, 0.0)));`;
+
+const STORED_DEPTH = "vec4 store(float depth, int slice)\n{\n    return vec4(depth, depth, depth, depth);\n}\n";
+
+const STORED_LAYERS = `vec4 store(float depth, int slice)
+{
+    vec2 even = lvsm_layerMoments(depth, vec2(splits[2 * slice], splits[2 * slice + 1]));
+    vec2 odd = lvsm_layerMoments(depth, vec2(splits[2 * slice + 1], splits[2 * slice + 2]));
+    return compact ? lvsm_packLayers(lvsm_compactMoments(even), lvsm_compactMoments(odd)) : lvsm_packLayers(even, odd);
+}
+`;
+const COMPACT = [["bool", "compact", (side) => side.format === "unorm8"]];
+const STORED_PAIR = depthOfLayer("lvsm_unpackLayer(lvsm_sampleLayerPair(map, at, layer / 2, compact), layer)");
+
+const layerSettings = {layers: 4, placement: "optimal"};
+
+export const TECHNIQUES = {
+    basic: {
+        name: "Shadow map",
+        line: "One comparison with the nearest texel: hard and jagged edges.",
+        source: "Williams 1978",
+        formats: ["fp32"], channels: 1, filtered: false,
+        settings: {bias: 0.003},
+        constants: [["float", "bias", (side) => side.bias]],
+        store: STORED_DEPTH,
+        judge: `
+    vec2 size = lvsm_mapArraySize(map);
+    float occluder = lvsm_fetchSlice(map, at, 0, floor(at.uv * size)).x;
+    return lvsm_depthTest(occluder, depth, bias);`,
+        stored: "return vec2(lvsm_fetchSlice(map, at, 0, floor(at.uv * lvsm_mapArraySize(map))).x, 0.0);",
+    },
+    pcf: {
+        name: "PCF",
+        line: "Every texel of a box is compared, then averaged: right, at the price of all those texels.",
+        source: "Reeves et al. 1987",
+        formats: ["fp32"], channels: 1, filtered: false,
+        settings: {width: (side, device, kernel) => Math.round(10 * kernel.matchingBox) / 10, plane: true, bias: 0.001},
+        constants: [["float", "width", (side) => side.width], ["float", "bias", (side) => side.bias],
+                    ["bool", "followsPlane", (side) => side.plane]],
+        store: STORED_DEPTH,
+        judge: `
+    vec2 slope = followsPlane ? gradient : vec2(0.0, 0.0);
+    return lvsm_samplePcf(map, at, depth, slope, width, 0.0, bias);`,
+        stored: "return vec2(lvsm_fetchSlice(map, at, 0, floor(at.uv * lvsm_mapArraySize(map))).x, 0.0);",
+    },
+    vsm: {
+        name: "VSM",
+        line: "Variance: the bound from two moments. Soft and cheap, but light bleeds where shadows overlap.",
+        source: "Donnelly & Lauritzen 2006",
+        formats: ["unorm16", "fp16", "fp32"], channels: 2, filtered: true,
+        settings: {minVariance: (side) => floorOf(side.format), reduction: 0, shift: 0},
+        constants: [...FLOORED, ...REDUCED, ...SHIFTED],
+        store: "vec4 store(float depth, int slice)\n{\n    return vec4(lvsm_depthMoments(depth), 0.0, 0.0);\n}\n",
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_reduceLightBleeding(lvsm_sampleVariance(map, at, receiver, minVariance), amount);`,
+        stored: `
+    vec2 moments = lvsm_sampleSlice(map, at, 0, vec4(1.0, 1.0, 1.0, 1.0)).xy;
+    return vec2(moments.x, sqrt(lvsm_variance(moments, 0.0)));`,
+    },
+    lvsm: {
+        name: "LVSM",
+        line: "Layered variance, as in the paper: the depths cut into layers, and a receiver reads the one it lies in.",
+        source: "Lauritzen & McCool 2008",
+        formats: ["unorm16", "fp16", "fp32"], channels: 4, filtered: true, layered: true,
+        settings: {...layerSettings, placement: "relaxed", overlap: 0.02, transition: 0.01, minVariance: floorOfLayer,
+                   reduction: 0, shift: 0},
+        slices: (side) => side.layers / 2,
+        constants: [...LAYERED, ["float", "overlap", (side) => side.overlap],
+                    ["float", "transition", (side) => Math.min(side.transition, side.overlap)], ...FLOORED, ...REDUCED,
+                    ...SHIFTED],
+        store: `vec2 layerMoments(float depth, int layer)
+{
+    return lvsm_layerMoments(depth, lvsm_layerInterval(splits[layer], splits[layer + 1], overlap));
+}
+
+vec4 store(float depth, int slice)
+{
+    return lvsm_packLayers(layerMoments(depth, 2 * slice), layerMoments(depth, 2 * slice + 1));
+}
+`,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    float bound = lvsm_sampleLayers(map, at, receiver, splits, layerCount, overlap, transition, minVariance);
+    return lvsm_reduceLightBleeding(bound, amount);`,
+        stored: depthOfLayer("lvsm_unpackLayer(lvsm_sampleSlice(map, at, layer / 2, vec4(1.0, 1.0, 1.0, 1.0)), layer)"),
+    },
+    bracketed: {
+        name: "LVSM, bracketed",
+        line: "The same layers without overlap; the neighbours tell what lies in front and behind. Begin with this one.",
+        source: "this library, bracket",
+        formats: ["unorm16", "fp16", "unorm8", "fp32"], channels: 4, filtered: true, layered: true,
+        settings: {...layerSettings, minVariance: floorOfLayer, reduction: 0, shift: 0},
+        slices: (side) => side.layers / 2,
+        constants: [...LAYERED, ...COMPACT, ...FLOORED, ...REDUCED, ...SHIFTED],
+        store: STORED_LAYERS,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    float bound = lvsm_sampleBracketed(map, at, receiver, splits, layerCount, compact, minVariance);
+    return lvsm_reduceLightBleeding(bound, amount);`,
+        stored: STORED_PAIR,
+    },
+    plane: {
+        name: "LVSM, relative to the plane",
+        line: "Bracketed layers judged relative to the receiver's plane: the least error of one filtered map.",
+        source: "this library, plane",
+        formats: ["unorm8", "unorm16", "fp16", "fp32"], channels: 4, filtered: true, layered: true,
+        settings: {...layerSettings, layers: 8, minVariance: floorOfLayer, contact: 0.15, shift: 0},
+        slices: (side) => side.layers / 2,
+        constants: [...LAYERED, ...COMPACT, ["float", "deviation", (side, frame) => frame.kernel.deviation], ...FLOORED,
+                    ["float", "amount", (side) => side.contact], ...SHIFTED],
+        store: STORED_LAYERS,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_samplePlane(map, at, receiver, gradient, splits, layerCount, compact, deviation, minVariance, amount);`,
+        stored: STORED_PAIR,
+    },
+    evsm2: {
+        name: "EVSM2",
+        line: "Variance of an exponential warp: little bleeding, but occluders at different depths leak at contact.",
+        source: "Lauritzen & McCool 2008, section 7",
+        formats: ["fp32", "fp16"], channels: 2, filtered: true,
+        settings: {exponent: (side) => (side.format === "fp16" ? 5.54 : 42), minVariance: (side) => floorOf(side.format),
+                   reduction: 0, shift: 0},
+        constants: [["float", "exponent", (side) => side.exponent], ...FLOORED, ...REDUCED, ...SHIFTED],
+        store: `vec4 store(float depth, int slice)
+{
+    return lvsm_exponentialMoments(depth, vec2(exponent, 0.0));
+}
+`,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_reduceLightBleeding(lvsm_sampleExponential2(map, at, receiver, exponent, minVariance), amount);`,
+        stored: `
+    vec2 moments = lvsm_sampleSlice(map, at, 0, lvsm_exponentialMoments(1.0, vec2(exponent, 0.0))).xy;
+    float spread = sqrt(lvsm_variance(moments, 0.0)) / (2.0 * exponent * moments.x);
+    return vec2(0.5 + 0.5 * log(moments.x) / exponent, spread);`,
+    },
+    evsm4: {
+        name: "EVSM4",
+        line: "The lesser of the bounds from a positive and a negative warp: two more channels for less leaking.",
+        source: "Lauritzen & McCool 2008, section 7",
+        formats: ["fp32", "fp16"], channels: 4, filtered: true,
+        settings: {exponent: (side) => (side.format === "fp16" ? 5.54 : 42),
+                   negative: (side) => (side.format === "fp16" ? 5.54 : 10),
+                   minVariance: (side) => floorOf(side.format), reduction: 0, shift: 0},
+        constants: [["vec2", "exponents", (side) => [side.exponent, side.negative]], ...FLOORED, ...REDUCED, ...SHIFTED],
+        store: "vec4 store(float depth, int slice)\n{\n    return lvsm_exponentialMoments(depth, exponents);\n}\n",
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_reduceLightBleeding(lvsm_sampleExponential4(map, at, receiver, exponents, minVariance), amount);`,
+        stored: `
+    vec2 moments = lvsm_sampleSlice(map, at, 0, lvsm_exponentialMoments(1.0, exponents)).xy;
+    float spread = sqrt(lvsm_variance(moments, 0.0)) / (2.0 * exponents.x * moments.x);
+    return vec2(0.5 + 0.5 * log(moments.x) / exponents.x, spread);`,
+    },
+    esm: {
+        name: "ESM",
+        line: "One exponential term: dark contact leaks, and where its test fails, four unblurred texels judge.",
+        source: "Annen et al. 2008",
+        formats: ["fp32", "fp16"], channels: 1, filtered: true, unfiltered: true,
+        settings: {term: (side) => (side.format === "fp16" ? 11 : 80), threshold: 0.02, shift: 0},
+        constants: [["float", "exponent", (side) => side.term], ["float", "threshold", (side) => side.threshold],
+                    ...SHIFTED],
+        store: `vec4 store(float depth, int slice)
+{
+    float term = lvsm_occluderTerm(depth, exponent);
+    return vec4(term, term, term, term);
+}
+`,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_sampleEsm(map, unfiltered, at, receiver, exponent, threshold);`,
+        stored: "return vec2(log(lvsm_sampleSlice(map, at, 0, store(1.0, 0)).x) / exponent, 0.0);",
+    },
+    msm4: {
+        name: "MSM4",
+        line: "Moment shadow map: the bound from four moments, the best that one filtered texel of 64 bits gives.",
+        source: "Peters & Klein 2015",
+        formats: ["unorm16", "fp32"], channels: 4, filtered: true,
+        settings: {momentBias: (side) => (side.format === "unorm16" ? 6e-5 : 3e-7), reduction: 0, shift: 0},
+        constants: [["bool", "encoded", (side) => side.format === "unorm16"], ["float", "bias", (side) => side.momentBias],
+                    ...REDUCED, ...SHIFTED],
+        store: `vec4 store(float depth, int slice)
+{
+    vec4 moments = lvsm_depthMoments4(depth);
+    return encoded ? lvsm_encodeMoments4(moments) : moments;
+}
+`,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_reduceLightBleeding(lvsm_sampleMoments4(map, at, receiver, encoded, bias), amount);`,
+        stored: `
+    vec4 moments = lvsm_sampleFourMoments(map, at, 0, encoded);
+    return vec2(0.5 + 0.5 * moments.x, 0.5 * sqrt(max(moments.y - moments.x * moments.x, 0.0)));`,
+    },
+    trigonometric: {
+        name: "Trigonometric moments",
+        line: "Four moments on an arc, on a par with MSM4 in as many bits.",
+        source: "this library, trigonometric",
+        formats: ["unorm16", "fp32"], channels: 4, filtered: true,
+        // recommendedTrigonometricBias of three roundings.
+        settings: {momentBias: (side) => 5.14974 * 3 * depthErrorOf(side.format), reduction: 0, shift: 0},
+        constants: [["float", "bias", (side) => side.momentBias], ...REDUCED, ...SHIFTED],
+        store: "vec4 store(float depth, int slice)\n{\n    return lvsm_trigonometricMoments(depth);\n}\n",
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_reduceLightBleeding(lvsm_sampleTrigonometric(map, at, receiver, bias), amount);`,
+        stored: `
+    vec4 moments = lvsm_sampleSlice(map, at, 0, lvsm_trigonometricMoments(1.0));
+    vec2 mean = vec2(1.5 * moments.x - 0.5, 2.0 * moments.y - 1.0);
+    float spread = sqrt(max(-2.0 * log(max(length(mean), 1.0e-6)), 0.0));
+    return vec2(0.5 + 0.238732415 * atan(mean.y, mean.x), 0.238732415 * spread);`,
+    },
+    csm: {
+        name: "CSM",
+        line: "Convolution: the depth test as a Fourier series in 8-bit terms. Never sharp, and it rings.",
+        source: "Annen et al. 2007",
+        formats: ["unorm8", "unorm16", "fp16"], channels: 4, filtered: true,
+        settings: {order: 8, strength: 1, contactScale: true, shift: 0},
+        slices: (side) => side.order / 2,
+        constants: [["int", "order", (side) => side.order], ["float", "strength", (side) => side.strength],
+                    ["float", "offset", (side) => (side.contactScale ? 0 : 0.5 / side.order)],
+                    ["float", "scale", (side) => (side.contactScale ? 2 : 1)], ...SHIFTED],
+        store: `vec4 store(float depth, int slice)
+{
+    int first = 4 * (slice / 2) + 1;
+    bool isSine = (slice & 1) == 0;
+    return lvsm_encodeFourier(isSine ? lvsm_fourierSines(depth, first, order) : lvsm_fourierCosines(depth, first, order));
+}
+`,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_sampleConvolution(map, at, receiver, order, offset, strength, scale);`,
+        stored: `
+    float sine = lvsm_decodeFourier(lvsm_sampleSlice(map, at, 0, store(1.0, 0))).x;
+    float cosine = lvsm_decodeFourier(lvsm_sampleSlice(map, at, 1, store(1.0, 1))).x;
+    float spread = sqrt(max(-2.0 * log(max(length(vec2(sine, cosine)), 1.0e-6)), 0.0));
+    return vec2(atan(sine, cosine), spread) / (3.14159265 * (1.0 - 1.0 / float(order)));`,
+    },
+    exact: {
+        name: "The exact answer",
+        line: "Every texel of the unfiltered map compared with the receiver's own plane, by the blur's weights.",
+        exact: true, settings: {}, formats: [],
+    },
+};
+
+export const sliceCount = (technique, side) => technique.slices?.(side) ?? 1;

@@ -1,0 +1,90 @@
+// Each technique draws a picture, and errs by what the gallery measures in the same scenes: techniques.mjs PAGE GALLERY
+import assert from "node:assert/strict";
+import {spawnSync} from "node:child_process";
+import {mkdtempSync, readFileSync, rmSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {runCases} from "./page.mjs";
+
+const [path, gallery] = process.argv.slice(2);
+
+// The gallery counts four samples a pixel, moves receivers by 4 mm towards the light, and stores 16-bit fixed point, which
+// SwiftShader does not have: floats of 32 bits take its place. That moves the figures by a few percent.
+const TOLERANCE = 0.15;
+
+function measuredByGallery() {
+    const folder = mkdtempSync(join(tmpdir(), "lvsm-viewer-"));
+    const done = spawnSync(gallery, ["--size", "256", "--output", join(folder, "gallery")], {encoding: "utf8"});
+    if (done.status === 77) {
+        console.log("skipped: no Vulkan device for the gallery");
+        process.exit(77);
+    }
+    assert.equal(done.status, 0, done.stderr);
+    const rows = JSON.parse(readFileSync(join(folder, "reports/gallery.json"), "utf8"));
+    rmSync(folder, {recursive: true});
+    return (scene, light, technique) => rows.find((row) => row.scene === scene && row.light === light &&
+                                                           row.technique === technique);
+}
+
+// The gallery's settings and splits, where they are not the viewer's defaults.
+const SAME = {
+    basic: "left=basic", vsm: "left=vsm&left.format=fp32",
+    lvsm2: "left=lvsm&left.layers=2&left.overlap=0.01&left.format=fp32", lvsm4: "left=lvsm&left.layers=4&left.overlap=0.01&left.format=fp32",
+    evsm4: "left=evsm4&left.exponent=43.3",
+};
+
+const measured = measuredByGallery();
+const cases = {};
+for (const [scene, light] of [["bench", "directional"], ["planes", "spot"]]) {
+    cases[`${scene}, ${light} light: as the gallery`] = async (viewer) => {
+        for (const [technique, settings] of Object.entries(SAME)) {
+            const {rmse: theirs, splits} = measured(scene, light, technique);
+            // The same splits: a placement of its own, from another map, can be better or worse.
+            const placed = splits ? `&left.placement=manual&left.splits=${splits.join()}` : "";
+            await viewer.go(`#scene=${scene}&light=${light}&right=vsm&${settings}${placed}`);
+            const {rmse} = await viewer.figures("left");
+            console.log(`     ${technique}: ${rmse.toFixed(4)}, the gallery ${theirs.toFixed(4)}`);
+            // What is as small as an edge's antialiasing is not worth a comparison.
+            assert.ok(Math.abs(rmse - theirs) <= TOLERANCE * theirs + 0.002, `${technique} errs ${rmse}, in the gallery ${theirs}`);
+        }
+    };
+}
+
+// VSM lets light through the bench, which all others are there to mend; a hard edge errs more than any soft one.
+const WORSE = ["basic"];
+
+cases["every technique draws, and errs less than VSM where that bleeds"] = async (viewer) => {
+    const names = await viewer.tab.locator("#right option").evaluateAll((options) => options.map(({value}) => value));
+    assert.ok(names.length >= 13, names.join());
+    for (const technique of names) {
+        await viewer.go(`#right=${technique}&view=visibility&divider=0`);
+        const [vsm, figures] = [await viewer.figures("left"), await viewer.figures("right")];
+        console.log(`     ${technique}: ${figures.rmse.toFixed(4)}, too light ${figures.lighter.toFixed(4)}, too dark ${figures.darker.toFixed(4)}`);
+        const greys = await viewer.greys();
+        const share = (test) => greys.filter(test).length / greys.length;
+        assert.ok(share((grey) => grey > 240) > 0.1, `${technique} is not lit anywhere`);
+        assert.ok(share((grey) => grey < 40) > 0.02, `${technique} has no shadow`);
+        assert.ok(new Set(greys).size > (technique === "basic" ? 3 : 30), `${technique} has no penumbra`);
+        if (technique === "exact")
+            assert.equal(figures.rmse, 0);
+        else if (WORSE.includes(technique))
+            assert.ok(figures.rmse > vsm.rmse, `${technique} errs ${figures.rmse}`);
+        else if (technique !== "vsm")
+            assert.ok(figures.rmse > 1e-4 && figures.rmse < 0.9 * vsm.rmse, `${technique} errs ${figures.rmse}, VSM ${vsm.rmse}`);
+    }
+};
+
+cases["every view shows something of its own"] = async (viewer) => {
+    const seen = new Set();
+    for (const view of ["shaded", "visibility", "error", "layers", "mean", "spread"]) {
+        await viewer.go(`#view=${view}`);
+        const greys = await viewer.greys();
+        assert.ok(new Set(greys).size > 8, `${view} is blank`);
+        seen.add(greys.join());
+    }
+    assert.equal(seen.size, 6);
+};
+
+const opening = {"opens": (viewer) => viewer.open("#right=vsm")};
+const options = {viewport: {width: 390, height: 844}, colorScheme: "dark"};
+process.exit(await runCases(path, options, {...opening, ...cases}) ? 1 : 0);
