@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-PAPERS = ("lvsm",)
+PAPERS = ("lvsm", "esm")
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ def spaces(values):
 
 
 def row(paper, claim, values):
-    names = {"max": max, "min": min, "all": all, "abs": abs, "sorted": sorted, **spaces(values), **values.get(claim.of, {})}
+    names = {"max": max, "min": min, "abs": abs, "int": int, **spaces(values), **values.get(claim.of, {})}
     agrees = bool(eval(claim.holds, {"__builtins__": {}, **names})) if claim.holds else None
     return {"paper": paper.NAME, "item": claim.item, "claim": claim.claim, "theirs": claim.theirs,
             "ours": claim.ours.format(**names), "criterion": claim.holds, "agrees": agrees, "why": claim.why.format(**names)}

@@ -1,6 +1,4 @@
 // LVSM figures 8 and 10: convolution, layered and exponential shadow maps at equal storage, on the scene of figure 6.
-#include <algorithm>
-
 #include "report.hpp"
 #include "techniques_of_papers.hpp"
 
@@ -8,25 +6,6 @@ namespace lvsm::papers
 {
 namespace
 {
-
-constexpr float kNear = 0.03f; ///< an occluder so close, in depth, is a contact
-constexpr float kNone = 1e-6f;
-
-/// Mean visibility of what is in full shadow of one surface close in front of it.
-double contact(const View& view, const std::vector<float>& visibility)
-{
-    double sum = 0.0, count = 0.0;
-    for (std::size_t i = 0; i < visibility.size(); ++i)
-    {
-        const Receiver& r = view.receivers[i];
-        if (r.visibility <= kNone && r.occluderDistance < kNear)
-        {
-            sum += static_cast<double>(visibility[i]);
-            ++count;
-        }
-    }
-    return count > 0.0 ? sum / count : 0.0;
-}
 
 class Comparison
 {
@@ -40,7 +19,7 @@ public:
         m_report.add("figure8", name, errors.rmse);
         m_report.add("figure8", name + "_bits", technique.bits);
         m_report.add("figure8", name + "_bleed", errors.bleed);
-        m_report.add("figure8", name + "_contact", contact(m_scene.view, visibility));
+        m_report.add("figure8", name + "_contact", errors.contact);
         return visibility;
     }
 

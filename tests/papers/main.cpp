@@ -15,9 +15,10 @@ int main(int argc, char** argv)
     app.add_option("--pictures", pictures, "A folder for the pictures");
     CLI11_PARSE(app, argc, argv);
 
-    lvsm::papers::Report report(pictures);
-    for (const auto part : {lvsm::papers::lvsmBleeding, lvsm::papers::lvsmSeams, lvsm::papers::lvsmLayers,
-                            lvsm::papers::lvsmPlacement, lvsm::papers::lvsmStorage, lvsm::papers::lvsmSamples})
+    using namespace lvsm::papers;
+    Report report(pictures);
+    for (const auto part : {lvsmBleeding, lvsmSeams, lvsmLayers, lvsmPlacement, lvsmStorage, lvsmSamples, esmStep,
+                            esmClassification, esmFiltering})
         part(report);
     const auto problem =
         report.problem() ? report.problem() : lvsm::support::writeWholeFile(output, report.values().dump(1) + '\n');

@@ -46,6 +46,9 @@ void lvsmLayers(Report& report);
 void lvsmPlacement(Report& report);
 void lvsmStorage(Report& report);
 void lvsmSamples(Report& report);
+void esmStep(Report& report);
+void esmClassification(Report& report);
+void esmFiltering(Report& report);
 
 } // namespace lvsm::papers
 

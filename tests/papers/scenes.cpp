@@ -53,6 +53,29 @@ Setup blocks()
     return {mesh, {68.0f, 205.0f}, false, {34.0f, 30.0f}, {0.1f, 0.3f, 0.9f, 0.98f}, {}};
 }
 
+Setup yard()
+{
+    Mesh mesh, fence;
+    quality::Random random(9);
+    quality::addGround(mesh, {-3.4f, -2.8f}, {3.4f, 2.8f});
+    quality::addFence(fence, {-2.6f, 0.0f, 0.0f}, 5.2f, 0.8f);
+    place(mesh, fence, {0.0f, 0.0f, 2.1f}, 1.0f, 0.0f);
+    place(mesh, fence, {0.0f, 0.0f, -2.3f}, 1.0f, 180.0f);
+    place(mesh, fence, {2.6f, 0.0f, 0.0f}, 0.82f, 90.0f);
+    addBox(mesh, {-2.2f, 0.0f, -2.0f}, {-0.7f, 1.3f, -0.7f});
+    addBox(mesh, {-2.35f, 1.3f, -2.15f}, {-0.55f, 1.42f, -0.55f});
+    addBox(mesh, {-1.0f, 1.42f, -1.6f}, {-0.8f, 1.8f, -1.4f});
+    quality::addTree(mesh, {1.5f, 0.0f, -1.0f}, 2.4f, random);
+    quality::addTree(mesh, {-1.8f, 0.0f, 1.1f}, 1.6f, random);
+    addBox(mesh, {0.2f, 0.42f, 0.5f}, {1.3f, 0.47f, 1.1f});
+    for (const float x : {0.26f, 1.2f})
+    {
+        for (const float z : {0.56f, 1.0f})
+            addBox(mesh, {x, 0.0f, z}, {x + 0.04f, 0.42f, z + 0.04f});
+    }
+    return {mesh, {46.0f, 135.0f}, false, {30.0f, 20.0f}, {0.05f, 0.24f, 0.95f, 0.92f}, {}};
+}
+
 quality::Light lightOf(const Setup& setup, int size)
 {
     const Direction& d = setup.light;

@@ -50,6 +50,9 @@ Setup bench();
 /// LVSM figures 6 to 8: slabs far above others that are close to the ground.
 Setup blocks();
 
+/// ESM figures 1, 8 and 10: a yard with a house, trees and a table, fenced in.
+Setup yard();
+
 /// What a camera sees, as receivers in the light's map.
 struct View
 {

@@ -134,9 +134,9 @@ std::vector<float> truths(const View& view)
 
 ViewErrors errorsOf(const View& view, const std::vector<float>& visibility)
 {
-    constexpr float kNone = 1e-6f;
+    constexpr float kNone = 1e-6f, kContact = 0.03f;
     ViewErrors errors;
-    double inShadow = 0.0, inLight = 0.0, between = 0.0;
+    double inShadow = 0.0, inContact = 0.0, inLight = 0.0, between = 0.0;
     for (std::size_t i = 0; i < visibility.size(); ++i)
     {
         const float truth = view.receivers[i].visibility;
@@ -149,6 +149,9 @@ ViewErrors errorsOf(const View& view, const std::vector<float>& visibility)
             ++inShadow;
             errors.bleed += error;
             errors.worst = std::max(errors.worst, error);
+            const bool isNear = view.receivers[i].occluderDistance < kContact;
+            inContact += isNear ? 1.0 : 0.0;
+            errors.contact += isNear ? error : 0.0;
         }
         else if (truth >= 1.0f - kNone)
         {
@@ -164,6 +167,7 @@ ViewErrors errorsOf(const View& view, const std::vector<float>& visibility)
     }
     errors.rmse = std::sqrt(share(errors.rmse, static_cast<double>(visibility.size())));
     errors.bleed = share(errors.bleed, inShadow);
+    errors.contact = share(errors.contact, inContact);
     errors.dark = share(errors.dark, inLight);
     errors.penumbra = std::sqrt(share(errors.penumbra, between));
     return errors;

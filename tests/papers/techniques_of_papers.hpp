@@ -48,6 +48,7 @@ struct ViewErrors
     double dark = 0.0;     ///< mean loss of what is fully lit
     double darkest = 0.0;  ///< largest of the same
     double penumbra = 0.0; ///< RMSE of the others
+    double contact = 0.0;  ///< mean visibility of what is in full shadow of a surface less than 0.03 in front
     double shielded = 0.0; ///< largest visibility behind the shield
 };
 ViewErrors errorsOf(const View& view, const std::vector<float>& visibility);
