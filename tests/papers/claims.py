@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-PAPERS = ("lvsm", "esm")
+PAPERS = ("lvsm", "esm", "evsm", "vsm")
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ int main(int argc, char** argv)
     using namespace lvsm::papers;
     Report report(pictures);
     for (const auto part : {lvsmBleeding, lvsmSeams, lvsmLayers, lvsmPlacement, lvsmStorage, lvsmSamples, esmStep,
-                            esmClassification, esmFiltering})
+                            esmClassification, esmFiltering, evsmProject, vsmArticle})
         part(report);
     const auto problem =
         report.problem() ? report.problem() : lvsm::support::writeWholeFile(output, report.values().dump(1) + '\n');

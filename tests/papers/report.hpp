@@ -49,6 +49,8 @@ void lvsmSamples(Report& report);
 void esmStep(Report& report);
 void esmClassification(Report& report);
 void esmFiltering(Report& report);
+void evsmProject(Report& report);
+void vsmArticle(Report& report);
 
 } // namespace lvsm::papers
 

@@ -1,5 +1,7 @@
 #include "scenes.hpp"
 
+#include <cmath>
+
 #include "models.hpp"
 
 namespace lvsm::papers
@@ -7,6 +9,28 @@ namespace lvsm::papers
 
 using quality::addBox;
 using quality::Mesh;
+
+namespace
+{
+
+void addBall(Mesh& mesh, glm::vec3 middle, float radius)
+{
+    constexpr int kAround = 40, kDown = 20;
+    const auto point = [&](int around, int down)
+    {
+        const float a = 6.2831853f * static_cast<float>(around % kAround) / kAround;
+        const float d = 3.1415927f * static_cast<float>(down) / kDown;
+        return middle + radius * glm::vec3(std::sin(d) * std::sin(a), std::cos(d), std::sin(d) * std::cos(a));
+    };
+    for (int down = 0; down < kDown; ++down)
+    {
+        for (int around = 0; around < kAround; ++around)
+            quality::addQuad(mesh, point(around, down), point(around, down + 1), point(around + 1, down + 1),
+                             point(around + 1, down), false);
+    }
+}
+
+} // namespace
 
 Setup planes()
 {
@@ -74,6 +98,18 @@ Setup yard()
             addBox(mesh, {x, 0.0f, z}, {x + 0.04f, 0.42f, z + 0.04f});
     }
     return {mesh, {46.0f, 135.0f}, false, {30.0f, 20.0f}, {0.05f, 0.24f, 0.95f, 0.92f}, {}};
+}
+
+Setup room(bool spot)
+{
+    Mesh mesh;
+    quality::addGround(mesh, {-2.6f, -1.6f}, {2.6f, 2.4f});
+    addBox(mesh, {-2.6f, 0.0f, -1.7f}, {2.6f, 2.2f, -1.6f});
+    addBall(mesh, {-0.3f, 0.75f, 0.0f}, 0.6f);
+    addBall(mesh, {0.15f, 1.3f, 0.1f}, 0.22f);
+    addBall(mesh, {-0.75f, 1.3f, 0.1f}, 0.22f);
+    addBox(mesh, {1.0f, 0.0f, -0.5f}, {1.03f, 1.1f, 0.5f});
+    return {mesh, {42.0f, -35.0f}, spot, {20.0f, 15.0f}, {0.06f, 0.1f, 0.94f, 0.94f}, {}};
 }
 
 quality::Light lightOf(const Setup& setup, int size)

@@ -53,6 +53,9 @@ Setup blocks();
 /// ESM figures 1, 8 and 10: a yard with a house, trees and a table, fenced in.
 Setup yard();
 
+/// The article on VSM: a round thing and a thin wall on a floor, before a wall; by a directional light or from a point.
+Setup room(bool spot);
+
 /// What a camera sees, as receivers in the light's map.
 struct View
 {

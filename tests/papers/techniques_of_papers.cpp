@@ -147,7 +147,7 @@ ViewErrors errorsOf(const View& view, const std::vector<float>& visibility)
         if (truth <= kNone)
         {
             ++inShadow;
-            errors.bleed += error;
+            errors.bleed += std::max(error, 0.0);
             errors.worst = std::max(errors.worst, error);
             const bool isNear = view.receivers[i].occluderDistance < kContact;
             inContact += isNear ? 1.0 : 0.0;
