@@ -1,6 +1,8 @@
-"""The recorded errors of the quick start, as tests/docs/documents.py shows them."""
+"""The recorded errors of the quick start and of the clients, as tests/docs/documents.py shows them."""
 import json
 import pathlib
+
+import report
 
 RECORDED = json.loads(pathlib.Path(__file__).with_name("recorded.json").read_text())
 
@@ -48,5 +50,14 @@ def others():
     return lines
 
 
-TABLES = {"clients.splits": splits, "clients.floors": floors, "clients.others": others}
+def clients():
+    lines = [["client", "version", "what runs", "what its user does", "error", "allowed", "function"]]
+    for name, row in json.loads(report.RECORDED.read_text()).items():
+        what, todo = report.CLIENTS[name]
+        lines.append([row["client"], row["version"], what, todo, f"{row['worst_error']:.1e}", f"{row['tolerance']:.1e}",
+                      f"`{row['worst_function']}`"])
+    return lines
+
+
+TABLES = {"clients.clients": clients, "clients.splits": splits, "clients.floors": floors, "clients.others": others}
 NAMES = {"quickStart": error, "split": lambda name: RECORDED[name]}

@@ -9,6 +9,7 @@ import {consoleStatus, runPage} from "./browser.mjs";
 
 const [page, rows, single, judge, report, order] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
+rmSync(report, {force: true}); // what an earlier run wrote says nothing about this one
 rmSync(rows, {recursive: true, force: true});
 mkdirSync(rows);
 const written = spawnSync(judge, ["write", rows], {stdio: "inherit"});

@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 rows, folder, name, report, *client = sys.argv[1:]
+pathlib.Path(report).unlink(missing_ok=True)  # what an earlier run wrote says nothing about this one
 shutil.rmtree(folder, ignore_errors=True)
 pathlib.Path(folder).mkdir(parents=True)
 for command in ([rows, "write", folder], client, [rows, "judge", folder, name, report, "imprecise"]):

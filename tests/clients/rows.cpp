@@ -97,8 +97,8 @@ int judgeAll(const std::string& folder, const std::string& client, const std::st
         {
             passed = passed && verdict.passed();
             inputs += verdict.inputs;
-            // Of visibilities, weights and depths the one that a tight tolerance leaves the least room.
-            if (row.high <= 1.0 && verdict.tolerance > 0.0 && verdict.tolerance < 1.0e-3 &&
+            // Of visibilities, weights and depths of which little is allowed the one that has the least room.
+            if (row.high <= 1.0 && verdict.tolerance > 0.0 && verdict.tolerance < 1.0e-5 &&
                 verdict.worstError * worst.tolerance >= worst.worstError * verdict.tolerance)
             {
                 worst = verdict;

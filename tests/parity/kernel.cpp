@@ -24,7 +24,7 @@ std::string callStatement(const Row& row)
 const char* const kGlslCompute = R"(
 layout(local_size_x = GROUP_SIZE) in;
 layout(std430, set = 0, binding = 0) readonly buffer Inputs { uint inputs[]; };
-layout(std430, set = 0, binding = 1) writeonly buffer Outputs { float outputs[]; };
+layout(std430, set = 0, binding = 1) buffer Outputs { float outputs[]; };
 )";
 
 // An input fills WORDS / 4 texels of a row of the texture, and twelve of its results, from FIRST on, one pixel of three
