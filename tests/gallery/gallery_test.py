@@ -1,4 +1,4 @@
-"""Runs one case: gallery_test.py CASE GALLERY PLACE_LAYERS. Exit status 77: no Vulkan device. Without arguments, lists
+"""Runs one case: gallery_test.py CASE GALLERY. Exit status 77: no Vulkan device. Without arguments, lists
 the cases."""
 
 import html.parser
@@ -134,26 +134,9 @@ def missingDeviceIsNamedAndNothingIsWritten(folder):
     expect_refusal(folder, done, "Vulkan")
 
 
-@case
-def placeLayersPrintsRisingSplits(_):
-    done = run(place_layers, "--layers", "3")
-    assert done.returncode == 0
-    intervals = [line.split()[3::2] for line in done.stdout.splitlines() if line.startswith("layer ")]
-    edges = [float(begin) for begin, _ in intervals] + [float(intervals[-1][1])]
-    assert len(edges) == 4 and edges == sorted(edges) and edges[0] == 0 and edges[-1] == 1, edges
-
-
-@case
-def placeLayersNamesABrokenImage(folder):
-    broken = folder / "broken.png"
-    broken.write_bytes(PNG)
-    done = run(place_layers, str(broken))
-    assert done.returncode != 0 and str(broken) in done.stderr
-
-
 if len(sys.argv) < 2:
     print(*cases, sep="\n")
     sys.exit(0)
-gallery, place_layers = sys.argv[2:4]
+gallery = sys.argv[2]
 with tempfile.TemporaryDirectory() as scratch:
     cases[sys.argv[1]](pathlib.Path(scratch))

@@ -13,9 +13,11 @@ import mutants as maths
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 # -O1: the mutants run the tests thousands of times, and are compiled once.
-# A mutant that leaves an array or an integer's range is stopped there, as the sanitizers of tests/fuzz would.
+# A mutant that leaves an array or an integer's range is stopped there, as the sanitizers of tests/fuzz would. g++ takes
+# the array at the end of a structure for one of any length unless it is told not to.
 FLAGS = ["-std=c++17", "-O1", "-w", "-fno-strict-aliasing", "-fsanitize=bounds,signed-integer-overflow,float-cast-overflow",
          "-fsanitize-undefined-trap-on-error"]
+OF_COMPILER = {"clang": ["-ferror-limit=0"], "gcc": ["-fsanitize=bounds-strict"]}
 
 
 def edited(text, start, mutant):
@@ -104,8 +106,8 @@ class Build:
         if target.exists() and target.stat().st_mtime > max(path.stat().st_mtime for path in inputs):
             return None
         target.unlink(missing_ok=True)
-        limit = ["-ferror-limit=0"] if "clang" in self.compiler else []
-        command = [self.compiler, *FLAGS, *limit, "-I", str(self.folder / "include"),
+        flags = [*FLAGS, *OF_COMPILER["clang" if "clang" in self.compiler else "gcc"]]
+        command = [self.compiler, *flags, "-I", str(self.folder / "include"),
                    "-include", str(HERE / "selected.hpp"), "-c", str(source), "-o", str(target)]
         done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"})
         return done.stderr if done.returncode != 0 else None

@@ -486,5 +486,92 @@ TEST_CASE("a component's own deviation is no cost of merging it")
     CHECK(three.components[2].weight == 0.0);
 }
 
+TEST_CASE("members count up to the ends of their ranges")
+{
+    MixtureComponent<double> c = tap(1.0, 0.0, 0.0, 0.5);
+    c.variance = 0.75;
+    CHECK(componentResidual(c, Vec2<double>(0.0, 0.0)) == 0.75);
+    c.spread = {50000.0, 0.0, 0.0};
+    CHECK(componentResidual(c, Vec2<double>(1.0, 0.0)) == 50000.75);
+    CHECK(componentResidual(c, Vec2<double>(0.75, 0.0)) == 0.75 * 0.75 * 50000.0 + 0.75);
+    CHECK(slopedComponent(0.5, Vec2<double>(-0.75, 0.75)).tilt.x == doctest::Approx(-0.0625));
+    CHECK(slopedComponent(0.5, Vec2<double>(-0.75, 0.75)).tilt.y == doctest::Approx(0.0625));
+    // Two whole windows at either end: a variance of 1/4 for the double weight.
+    CHECK(mergePrice(tap(1.0, 0.0, 0.0, 0.0), tap(1.0, 0.0, 0.0, 1.0)) == doctest::Approx(1.0 - 2.0e-4).epsilon(1e-6));
+    CHECK(mergePrice(tap(0.0, 0.0, 0.0, 0.0), tap(0.0, 0.0, 0.0, 1.0)) == 0.0);
+}
+
+TEST_CASE("components without weight change nothing, nor are they changed")
+{
+    MixtureComponent<double> none = tap(0.0, 3.0, 4.0, 0.25);
+    none.spread = {1.0, 0.5, 2.0};
+    CHECK(isSame(mergeComponents(none, tap(0.0, 1.0, 1.0, 0.75)), none));
+    const double small = 0x1p-128;
+    CHECK(mergeComponents(tap(small, 1.0, 1.0, 0.5), tap(small, 1.0, 1.0, 0.5)).weight == 0.0);
+
+    const Mixture<double> before{{tap(0.5, 1.0, 0.0, 0.25), tap(0.0, 2.0, 0.0, 0.5), tap(0.25, 3.0, 0.0, 0.75), {}}};
+    Mixture<double> mixture = before;
+    insertComponent(mixture, none, 4);
+    simplifyMixture(mixture, 4);
+    Mixture<double> full{{before.components[0], before.components[2], before.components[0], before.components[2]}};
+    const Mixture<double> whole = full;
+    insertComponent(full, none, 4);
+    for (int i = 0; i < 4; ++i)
+    {
+        CHECK(isSame(mixture.components[i], before.components[i]));
+        CHECK(isSame(full.components[i], whole.components[i]));
+    }
+}
+
+TEST_CASE("a count out of range is 1 or 4")
+{
+    for (const int count : {1, 0, -3})
+    {
+        MixtureComponent<double> wild = tap(0.25, 0.0, 0.0, 0.5);
+        wild.weight = 7.0;
+        Mixture<double> mixture{{tap(0.25, 0.0, 0.0, 0.5), wild, tap(0.25, 0.0, 0.0, 0.5), {}}};
+        simplifyMixture(mixture, count);
+        CHECK(mixture.components[0].weight == 0.25);
+        CHECK(mixture.components[2].weight == 0.25);
+        insertComponent(mixture, tap(0.25, 0.0, 0.0, 0.5), count);
+        CHECK(mixture.components[0].weight == 0.5);
+        CHECK(mixture.components[1].weight == 7.0);
+        CHECK(mixture.components[2].weight == 0.25);
+    }
+    for (const int count : {4, 5, 100})
+    {
+        const MixtureComponent<double> quarter = tap(0.25, 0.0, 0.0, 0.5);
+        Mixture<double> mixture{{quarter, quarter, quarter, quarter}};
+        simplifyMixture(mixture, count);
+        CHECK(mixture.components[0].weight == 1.0);
+    }
+    // The third is like the second, and not asked for.
+    Mixture<double> three{{tap(0.25, 0.0, 0.0, 0.1), tap(0.25, 0.0, 0.0, 0.6), tap(0.25, 0.0, 0.0, 0.6), {}}};
+    simplifyMixture(three, 2);
+    CHECK(three.components[1].weight == 0.25);
+    CHECK(three.components[2].weight == 0.25);
+}
+
+// Two halves d apart cost sqrt(d^2 / 4 + 1e-8) - 1e-4 to merge.
+TEST_CASE("surfaces are one where that costs less than 1e-4, all or a pair of them")
+{
+    for (const double price : {0.75e-4, 1.5e-4})
+    {
+        const double apart = 2.0 * std::sqrt((price + 1.0e-4) * (price + 1.0e-4) - 1.0e-8);
+        Mixture<double> whole{{tap(0.5, 0.0, 0.0, 0.25), tap(0.5, 0.0, 0.0, 0.25 + apart), {}, {}}};
+        CHECK(mergePrice(whole.components[0], whole.components[1]) == doctest::Approx(price).epsilon(1e-6));
+        simplifyMixture(whole, 4);
+        CHECK((whole.components[0].weight == 1.0) == (price < 1.0e-4));
+
+        // Of a window with a third surface, the pair costs its share.
+        const double part = 2.0 * std::sqrt((2.0 * price + 1.0e-4) * (2.0 * price + 1.0e-4) - 1.0e-8);
+        Mixture<double> pair{
+            {tap(0.25, 0.0, 0.0, 0.25), tap(0.25, 0.0, 0.0, 0.25 + part), tap(0.5, 0.0, 0.0, 0.75), {}}};
+        CHECK(mergePrice(pair.components[0], pair.components[1]) == doctest::Approx(price).epsilon(1e-6));
+        simplifyMixture(pair, 4);
+        CHECK((pair.components[0].weight == 0.5) == (price < 1.0e-4));
+    }
+}
+
 } // namespace
 } // namespace lvsm::unit

@@ -6,6 +6,7 @@
 #include <cfloat>
 
 #include "numbers.hpp"
+#include "ranges.hpp"
 
 namespace lvsm::unit
 {
@@ -231,6 +232,52 @@ TEST_CASE_TEMPLATE("bilinearVisibility meets its corners and reproduces a plane"
         }
     }
     CHECK(bilinearVisibility(Vec4<T>(5, 5, -5, -5), Vec2<T>(T(0.5), T(0.25))) == T(0.75));
+}
+
+TEST_CASE_TEMPLATE("a kernel of less than one tap has one, and one of more than 65 has 65", T, float, double)
+{
+    for (const int less : {0, -1, -7})
+    {
+        CHECK(binomialWeight<T>(0, less) == 1);
+        CHECK(gaussianWeight(0, less, T(2)) == 1);
+        CHECK(binomialTap<T>(0, less) == Vec2<T>(0, 1));
+        CHECK(gaussianTap(0, less, T(2)) == Vec2<T>(0, 1));
+        CHECK(binomialHeadRoom<T>(less, 1) == 1);
+    }
+    for (const int more : {66, 1000})
+    {
+        for (int i = 0; i <= 66; ++i)
+        {
+            CHECK(binomialWeight<T>(i, more) == binomialWeight<T>(i, 65));
+            CHECK(gaussianWeight(i, more, T(20)) == gaussianWeight(i, 65, T(20)));
+            CHECK(binomialTap<T>(i, more) == binomialTap<T>(i, 65));
+            CHECK(gaussianTap(i, more, T(20)) == gaussianTap(i, 65, T(20)));
+        }
+        CHECK(binomialHeadRoom<T>(more, 1) == T(0x1p64));
+    }
+    CHECK(binomialHeadRoom<T>(65, 1) == T(0x1p64));
+    CHECK(binomialHeadRoom<T>(1, 1) == 1);
+    for (const int none : {0, -1, 1})
+        CHECK(binomialHeadRoom<T>(3, none) == 4);
+    for (const int many : {3, 4, 100})
+        CHECK(binomialHeadRoom<T>(3, many) == 64);
+}
+
+TEST_CASE_TEMPLATE("what exceeds its range is taken to its end in filters", T, float, double)
+{
+    const Range<T> unit{0, 1};
+    checkEnds<T, 2>({Range<T>{0, T(0x1p125)}, Range<T>{0, T(0x1p125)}},
+                    [](const auto& a) { return linearPair(a[0], a[1]); });
+    checkEnds<T, 6>({unit, unit, unit, unit, unit, unit}, [](const auto& a)
+                    { return bilinearVisibility(Vec4<T>(a[0], a[1], a[2], a[3]), Vec2<T>(a[4], a[5])); });
+    // A box of 2^20 texels, and one of 2^-20, half of which is in the texel beside.
+    CHECK(boxWeight(T(0), T(0x1p21)) == T(0x1p-20));
+    CHECK(boxWeight(T(0), T(0x1p20)) == T(0x1p-20));
+    for (const T width : {T(0), T(0x1p-21), T(0x1p-20)})
+        CHECK(boxWeight(T(0.5) + T(0x1p-22), width) == T(0.25));
+    const double most = gaussianWeight(0, 65, 0x1p20);
+    CHECK(gaussianWeight(0, 65, 0x1p21) == most);
+    CHECK(gaussianWeight(0, 65, 0x1p19) < most);
 }
 
 } // namespace

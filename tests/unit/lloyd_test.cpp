@@ -706,5 +706,62 @@ TEST_CASE("every status is described in words of its own")
     CHECK(std::string(describe(RelaxStatus::SplitsNotIncreasing)).find("rise") != std::string::npos);
 }
 
+TEST_CASE_TEMPLATE("all of a wide image is read, and nothing beyond it", T, float, double)
+{
+    // An edge far to the right, in a row that is more than one run of texels.
+    for (const int edge : {3, 70, 150, 198})
+    {
+        const Image<T> image = makeImage<T>(200, 2, [edge](int x, int) { return x < edge ? T(0) : T(0.625); });
+        std::vector<T> splits = emptySplits<T>(2);
+        CHECK(image.relax(splits).status == RelaxStatus::Converged);
+        CHECK(isNear(splits[1], 0.625L));
+    }
+    LVSM_NOT_WITH_FAST_MATH("NaN");
+    for (const glm::ivec2 size : {glm::ivec2(200, 3), glm::ivec2(2, 2), glm::ivec2(64, 1), glm::ivec2(1, 7)})
+    {
+        Image<T> image = makeImage<T>(size.x, size.y, [](int x, int y) { return T((x + y) % 2); });
+        image.depths.push_back(std::numeric_limits<T>::quiet_NaN());
+        std::vector<T> splits = emptySplits<T>(2);
+        CHECK(image.relax(splits));
+    }
+}
+
+TEST_CASE_TEMPLATE("occluders count at both ends of the depth range", T, float, double)
+{
+    RelaxOptions<T> options;
+    options.minVariance = T(0);
+    for (const T peak : {T(0x1p-11), T(1)})
+    {
+        std::vector<T> splits = emptySplits<T>(2);
+        CHECK(stripes<T>({peak}).relax(splits, options).status == RelaxStatus::Converged);
+        CHECK(isNear(splits[1], peak));
+    }
+}
+
+TEST_CASE_TEMPLATE("an odd number of splits takes one more pair for a round", T, float, double)
+{
+    const Image<T> image = stripes<T>({T(0.25), T(0.5), T(0.875)});
+    RelaxOptions<T> options;
+    options.splitsPerIteration = 2;
+    std::vector<T> splits = emptySplits<T>(4);
+    CHECK(image.relax(splits, options).status == RelaxStatus::Converged);
+    CHECK(isNear(splits[3], 0.875L));
+
+    // The movement is the largest of the round, whichever pair has it.
+    options.tolerance = T(0.2);
+    splits = emptySplits<T>(4);
+    const RelaxResult<T> result = image.relax(splits, options);
+    CHECK(result.status == RelaxStatus::Converged);
+    CHECK(isNear(result.movement, 0.125L));
+}
+
+TEST_CASE_TEMPLATE("a tolerance of 0 is met by splits that do not move at all", T, float, double)
+{
+    RelaxOptions<T> options;
+    options.tolerance = T(0);
+    std::vector<T> splits = emptySplits<T>(2);
+    CHECK(stripes<T>({T(0.5)}).relax(splits, options).status == RelaxStatus::Converged);
+}
+
 } // namespace
 } // namespace lvsm::unit

@@ -3,10 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
+
 #include <cstdint>
 #include <vector>
 
 #include "numbers.hpp"
+#include "ranges.hpp"
 #include "windows.hpp"
 
 namespace lvsm::unit
@@ -599,6 +602,232 @@ TEST_CASE("a receiver outside its ranges, and a plane outside its own, count as 
         wild = {-3.0, {-400.0, 400.0}, 2.0, {-2.0, 2.0}, {5.0, -1.0}, {1.0e9, -1.0e9, -1.0}, -7.0};
         tame = {0.0, {-256.0, 256.0}, 1.0, {-1.0, 1.0}, {1.0, 0.0}, {65536.0, -65536.0, 0.0}, 0.0};
     }
+}
+
+Code4 randomCode(Random& random)
+{
+    const auto word = [&]
+    {
+        return std::uint32_t(random.between(0, 65535)) << 16 | std::uint32_t(random.between(0, 65535));
+    };
+    return {word(), word(), word(), word()};
+}
+
+TEST_CASE("the visibility of a code is the mean of its planes' light, and so is the occluder's distance")
+{
+    Random random(181);
+    Tally tally;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const Code4 code = randomCode(random);
+        const bool isFour = i % 2 == 0;
+        const double deviation = 0.5 + 4.0 * random.unit<double>();
+        const MixturePlanes<double> m =
+            isFour ? decodeMixture4(code, deviation) : decodeMixture2(Code2(code.x, code.y), deviation);
+        const Vec2<double> f(random.unit<double>() - 0.5, random.unit<double>() - 0.5);
+        // Slopes that a code tells apart.
+        const Vec2<double> gradient(0.1 * random.unit<double>() - 0.05, 0.1 * random.unit<double>() - 0.05);
+        const double depth = random.unit<double>();
+        double sum = 0.0, lit = 0.0, dark = 0.0, distance = 0.0;
+        for (const MixturePlane<double>& p : m.planes)
+        {
+            const double weight = planeWeight(p, f, deviation);
+            const Vec2<double> light = planeLight(p, f, depth, gradient, deviation, 0.01);
+            sum += weight;
+            lit += weight * light.x;
+            dark += weight * (1.0 - light.x);
+            distance += weight * (1.0 - light.x) * std::max(0.0, -light.y);
+        }
+        const double visibility = isFour
+                                      ? mixtureVisibility4(code, f, depth, gradient, deviation, 0.01)
+                                      : mixtureVisibility2(Code2(code.x, code.y), f, depth, gradient, deviation, 0.01);
+        const double occluder = isFour ? mixtureOccluder4(code, f, depth, gradient, deviation, 0.01)
+                                       : mixtureOccluder2(Code2(code.x, code.y), f, depth, gradient, deviation, 0.01);
+        tally.claim(std::abs(visibility - lit / sum) < 1e-9, i, visibility, lit / sum);
+        const double wanted = dark > 1e-9 ? std::clamp(depth - distance / dark, 0.0, 1.0) : depth;
+        tally.claim(std::abs(occluder - wanted) < 1e-6, i, occluder, wanted);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("what exceeds its range is taken to its end in planes and codes")
+{
+    const Range<double> unit{0, 1}, whole{-1, 1}, place{-256, 256}, spread{0, 65536}, offset{-16, 16};
+    const Range<double> deviation{0.25, 64}, weight{0, 1, false, false};
+    checkEnds<double, 15>({place, place, unit, whole, whole, unit, unit, spread, Range<double>{-65536, 65536}, spread,
+                           unit, offset, offset, unit, weight},
+                          [](const auto& a)
+                          {
+                              const MixturePlane<double> p{a[14],        {a[0], a[1]},       a[2], {a[3], a[4]},
+                                                           {a[5], a[6]}, {a[7], a[8], a[9]}, a[10]};
+                              return planeLight(p, Vec2<double>(a[11], a[12]), a[13], Vec2<double>(0.1, -0.1), 16.0,
+                                                0.1);
+                          });
+    // Flat planes of a small spread, so that what adds to their deviation and the bias is seen.
+    checkEnds<double, 4>({whole, whole, unit, deviation},
+                         [](const auto& a)
+                         {
+                             const MixturePlane<double> p{1.0, {1.0, 2.0}, 0.5, {}, {}, {9.0, 0.0, 9.0}, 0.5};
+                             return planeLight(p, Vec2<double>(0.01, 0.02), 0.6, Vec2<double>(a[0], a[1]), a[3], a[2]);
+                         });
+    checkEnds<double, 2>({unit, deviation},
+                         [](const auto& a) {
+                             return planeWeight(MixturePlane<double>{a[0], {0.01, 0.02}, 0, {}, {}, {}, 0},
+                                                Vec2<double>(1.0, 1.0), a[1]);
+                         });
+    checkEnds<double, 2>(
+        {offset, offset},
+        [](const auto& a) {
+            return planeWeight(MixturePlane<double>{1, {0.01, 0.02}, 0, {}, {}, {}, 0}, Vec2<double>(a[0], a[1]), 1.0);
+        });
+    // A code of planes at either end of the depth range.
+    Mixture<double> ends{};
+    const double depths[] = {0.01, 0.4, 0.6, 0.99};
+    for (int i = 0; i < 4; ++i)
+    {
+        ends.components[i] = flatComponent(0.25, depths[i]);
+        ends.components[i].place = {0.5 - 0.25 * i, 0.3};
+        ends.components[i].spread = {8.0, 0.0, 8.0};
+        ends.components[i].variance = 0.01;
+    }
+    const Code4 code = encodeMixture4(ends, 4.0);
+    const Range<double> bias{0, 1, true, false}, steep{-1, 1, false, false};
+    checkEnds<double, 6>({offset, offset, unit, steep, steep, bias},
+                         [code](const auto& a)
+                         {
+                             const Vec2<double> f(a[0], a[1]), g(a[3], a[4]);
+                             return Vec2<double>(mixtureVisibility4(code, f, a[2], g, 4.0, a[5]),
+                                                 mixtureOccluder4(code, f, a[2], g, 4.0, a[5]));
+                         });
+}
+
+TEST_CASE("light is the same in a mirror, along either axis")
+{
+    Random random(182);
+    Tally tally;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const auto one = [&]
+        {
+            return 2.0 * random.unit<double>() - 1.0;
+        };
+        const MixturePlane<double> p{1.0,
+                                     {one(), one()},
+                                     random.unit<double>(),
+                                     {one(), one()},
+                                     {0.5 * random.unit<double>(), 0.5 * random.unit<double>()},
+                                     {1.0, 0.5 * one(), 1.0},
+                                     0.01};
+        const Vec2<double> f(one(), one()), g(0.3 * one(), 0.3 * one());
+        const double depth = random.unit<double>();
+        const Vec2<double> light = planeLight(p, f, depth, g, 1.0, 0.0);
+        for (const Vec2<double> m : {Vec2<double>(-1, 1), Vec2<double>(1, -1), Vec2<double>(-1, -1)})
+        {
+            MixturePlane<double> mirrored = p;
+            mirrored.place = m * p.place;
+            mirrored.slope = m * p.slope;
+            mirrored.spread.y = m.x * m.y * p.spread.y;
+            const Vec2<double> other = planeLight(mirrored, m * f, depth, m * g, 1.0, 0.0);
+            tally.claim(std::abs(other.x - light.x) < 1e-12 && std::abs(other.y - light.y) < 1e-12, i, m.x, m.y);
+        }
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+// A window four times as wide, with slopes a quarter as steep.
+TEST_CASE("a window in proportion has the same code, and its planes are in proportion")
+{
+    Random random(183);
+    Tally tally;
+    for (int i = 0; i < 2000; ++i)
+    {
+        Mixture<double> m{}, wide{};
+        for (int k = 0; k < 4; ++k)
+        {
+            MixtureComponent<double> c = flatComponent(0.25 + 0.01 * k, random.unit<double>());
+            c.place = {random.unit<double>() - 0.5, random.unit<double>() - 0.5};
+            c.spread = {random.unit<double>(), 0.0, random.unit<double>()};
+            m.components[k] = c;
+            wide.components[k] = c;
+            wide.components[k].place = 4.0 * c.place;
+            wide.components[k].spread = 16.0 * c.spread;
+        }
+        tally.claim(encodeMixture2(m, 1.0) == encodeMixture2(wide, 4.0), i, 2);
+        tally.claim(encodeMixture4(m, 1.0) == encodeMixture4(wide, 4.0), i, 4);
+        const Code4 code = randomCode(random);
+        const MixturePlanes<double> planes = decodeMixture4(code, 1.0), others = decodeMixture4(code, 4.0);
+        for (int k = 0; k < 4; ++k)
+        {
+            const MixturePlane<double>&p = planes.planes[k], &q = others.planes[k];
+            tally.claim(glm::distance(4.0 * p.place, q.place) < 1e-9, i, k);
+            tally.claim(glm::distance(16.0 * p.spread, q.spread) < 1e-9, i, k);
+        }
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("what the others leave of the spread is from a twentieth to one and a half, and its covariance within it")
+{
+    // The other plane has half of the window, and is as narrow as can be: (1 - 0.09 / 2) / (1 / 2) would be left.
+    const auto heaviest = [](std::uint32_t x, std::uint32_t y)
+    {
+        return decodeMixture2(Code2(15u << 24, x << 24 | y << 28), 1.0).planes[0];
+    };
+    CHECK(heaviest(8, 8).spread == Vec3<double>(1.5, 0.0, 1.5));
+    // It is to one side: two deviations along one axis, a quarter of them along the other.
+    for (const std::uint32_t near : {7u, 9u})
+    {
+        const double sign = near == 7u ? 1.0 : -1.0;
+        CHECK(heaviest(15, near).spread.x == doctest::Approx(0.05));
+        CHECK(heaviest(15, near).spread.y == doctest::Approx(0.05 * sign));
+        CHECK(heaviest(15, near).spread.z > 1.0);
+        CHECK(heaviest(near, 15).spread.y == doctest::Approx(0.05 * sign));
+        CHECK(heaviest(near, 15).spread.x > 1.0);
+    }
+}
+
+TEST_CASE("correlations from 0.45 on are coded, and the least share there is is one")
+{
+    for (const double correlation : {0.43, 0.47, -0.43, -0.47})
+    {
+        Mixture<double> m{};
+        m.components[0] = flatComponent(0.999, 0.75);
+        m.components[1] = flatComponent(0.001, 0.25);
+        m.components[1].spread = {1.0, correlation, 1.0};
+        const Code2 code = encodeMixture2(m, 1.0);
+        const bool isCoded = std::abs(correlation) > 0.45;
+        CHECK((code.x >> 28) == (!isCoded ? 2u | 2u << 2 : correlation > 0 ? 3u | 2u << 2 : 2u | 3u << 2));
+        CHECK((code.x >> 24 & 15u) == 1u);
+    }
+}
+
+TEST_CASE("a plane that leaves the depth range at its coded place is coded at its end")
+{
+    for (const double side : {-1.0, 1.0})
+    {
+        Mixture<double> m{};
+        m.components[0] = flatComponent(0.75, 0.5 + 0.49 * side);
+        m.components[0].place = {-2.0 * side, 0.0};
+        m.components[0].spread = {1.0, 0.0, 1.0};
+        m.components[0].tilt = {0.05, 0.0};
+        m.components[1] = flatComponent(0.25, 0.5);
+        const Code2 code = encodeMixture2(m, 1.0);
+        CHECK((code.x & 1023u) == (side > 0 ? 1023u : 0u));
+        CHECK((code.x >> 15 & 31u) == 16u);
+    }
+}
+
+TEST_CASE("a component's plane is its own: of its slope exactly, and of the deviation that is left")
+{
+    MixtureComponent<double> c = flatComponent(1.0, 0.5);
+    c.variance = 0.04;
+    const MixturePlane<double> p = componentPlane(c);
+    CHECK(p.range == Vec2<double>(0.0, 0.0));
+    CHECK(p.deviation == doctest::Approx(0.2));
+    // Slopes that differ by 1/2 spread a plane's taps: a variance of 1/16, and a tenth of depth between.
+    const MixturePlane<double> slanted{1.0, {}, 0.6, {0.5, 0.0}, {}, {0.25, 0.0, 0.0}, 0.0};
+    CHECK(planeLight(slanted, Vec2<double>(0.0, 0.0), 0.5, Vec2<double>(0.0, 0.0), 1.0, 0.0).x ==
+          doctest::Approx(0.5 + 0.1 / std::sqrt(12.0 / 16)));
 }
 
 } // namespace

@@ -422,6 +422,12 @@ TEST_CASE("what makes no sense is said, and the splits are left alone")
     using Status = OptimalStatus;
     CHECK(optimalSplits<float>(nullptr, 4, 4, splits, 2).status == Status::NoImage);
     CHECK(optimalSplits(image.data(), 0, 4, splits, 2).status == Status::NoImage);
+    CHECK(optimalSplits(image.data(), 4, 0, splits, 2).status == Status::NoImage);
+    CHECK(optimalSplits(image.data(), 4, 0, splits, 2).distortion == 0);
+    CHECK(optimalSplitsHistogram(image.data(), 0, splits, 2).status == Status::NoHistogram);
+    CHECK(optimalSplitsHistogram<float>(image.data(), 16, nullptr, 2).status == Status::LayerCountOutOfRange);
+    CHECK(optimalSplitsHistogram(image.data(), 16, splits, 0).status == Status::LayerCountOutOfRange);
+    CHECK(optimalSplitsHistogram(image.data(), 16, splits, 17).status == Status::LayerCountOutOfRange);
     CHECK(optimalSplits<float>(image.data(), 4, 4, nullptr, 2).status == Status::LayerCountOutOfRange);
     CHECK(optimalSplits(image.data(), 4, 4, splits, 0).status == Status::LayerCountOutOfRange);
     CHECK(optimalSplits(image.data(), 4, 4, splits, 17).status == Status::LayerCountOutOfRange);
@@ -450,6 +456,115 @@ TEST_CASE("more layers than bins leave the rest empty")
     CHECK(splits[1] == 0.5);
     CHECK(splits[2] == 1);
     CHECK(splits[4] == 1);
+}
+
+TEST_CASE("nothing beyond an image or a histogram is read")
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    double splits[3];
+    for (const auto& [width, height] : {std::pair(200, 3), std::pair(64, 1), std::pair(1, 7)})
+    {
+        std::vector<double> image(static_cast<std::size_t>(width * height), 0.25);
+        image.push_back(nan);
+        CHECK(optimalSplits(image.data(), width, height, splits, 2));
+    }
+    std::vector<double> weights(1024, 1.0);
+    weights.push_back(nan);
+    CHECK(optimalSplitsHistogram(weights.data(), 1024, splits, 2));
+    CHECK(optimalSplitsHistogram(weights.data() + 1000, 24, splits, 2));
+}
+
+TEST_CASE("depths outside [0,1] count as its ends, wherever in a run they are")
+{
+    Random random(133);
+    for (int i = 0; i < 20; ++i)
+    {
+        std::vector<double> wild, tame;
+        for (int texel = 0; texel < 130 * 4; ++texel)
+        {
+            wild.push_back(3 * random.unit<double>() - 1);
+            tame.push_back(std::clamp(wild.back(), 0.0, 1.0));
+        }
+        double first[5], second[5];
+        CHECK(optimalSplits(wild.data(), 130, 4, first, 4).distortion ==
+              optimalSplits(tame.data(), 130, 4, second, 4).distortion);
+        CHECK(std::equal(first, first + 5, second));
+    }
+}
+
+TEST_CASE("weights as large as numbers are, beside ones as small, place the splits as their ratios do")
+{
+    const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::min();
+    const auto placed = [](const std::vector<double>& weights)
+    {
+        OptimalOptions<double> options;
+        options.uniformShare = 0;
+        std::vector<double> splits(3);
+        CHECK(optimalSplitsHistogram(weights.data(), static_cast<int>(weights.size()), splits.data(), 2, options));
+        return splits;
+    };
+    CHECK(placed({most, 0, 0, 0, 0, 0, 0, least}) == placed({1, 0, 0, 0, 0, 0, 0, 0}));
+    CHECK(placed({least, most, 0, 0, most, 0, least, least}) == placed({0, 1, 0, 0, 1, 0, 0, 0}));
+    CHECK(placed({most, least, least, least, least, least, least, least}) == placed({1, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST_CASE("no weight at all is the same weight everywhere, by its distortion too, and empty layers cost nothing")
+{
+    const std::vector<double> none(64, 0.0), one(64, 1.0);
+    double first[5], second[5];
+    const double uniform = optimalSplitsHistogram(none.data(), 64, first, 4).distortion;
+    CHECK(uniform == doctest::Approx(optimalSplitsHistogram(one.data(), 64, second, 4).distortion));
+    // Four layers of 16 bins each, at the bins' centres: (16^2 - 1) / 12 of a bin's square.
+    CHECK(uniform == doctest::Approx((256.0 - 1) / 12 / (64.0 * 64.0)));
+
+    std::vector<double> two(64, 0.0);
+    two[10] = two[50] = 1;
+    OptimalOptions<double> options;
+    options.uniformShare = 0;
+    CHECK(optimalSplitsHistogram(two.data(), 64, first, 4, options).distortion < 1e-12);
+}
+
+TEST_CASE("options outside their ranges count as the ends of these")
+{
+    Random random(134);
+    std::vector<double> weights;
+    for (int i = 0; i < 128; ++i)
+        weights.push_back(random.unit<double>());
+    const auto placed = [&](double share)
+    {
+        OptimalOptions<double> options;
+        options.uniformShare = share;
+        double splits[5];
+        return optimalSplitsHistogram(weights.data(), 128, splits, 4, options).distortion;
+    };
+    CHECK(placed(-3) == placed(0));
+    CHECK(placed(3) == placed(1));
+    CHECK(placed(0) != placed(1));
+}
+
+TEST_CASE("splits that cannot be bettered are kept, with their own distortion")
+{
+    OptimalOptions<double> options;
+    options.uniformShare = 0;
+    options.leastGain = 0.1;
+    std::vector<double> two(64, 0.0);
+    two[10] = two[50] = 1;
+    double splits[] = {0, 0.5, 1};
+    const auto perfect = optimalSplitsHistogram(two.data(), 64, splits, 2, options);
+    CHECK(perfect.status == OptimalStatus::Kept);
+    CHECK(perfect.distortion < 1e-12);
+
+    // Of a uniform histogram: two halves are the optimum, 2^-2 / 12; parted at 9/16 they are a little worse.
+    const std::vector<double> one(64, 1.0);
+    splits[1] = 0.5625;
+    const auto kept = optimalSplitsHistogram(one.data(), 64, splits, 2, options);
+    CHECK(kept.status == OptimalStatus::Kept);
+    const double longer = 36, shorter = 28;
+    const auto spread = [](double bins)
+    {
+        return bins * (bins * bins - 1) / 12;
+    };
+    CHECK(kept.distortion == doctest::Approx((spread(longer) + spread(shorter)) / 64 / (64 * 64)));
 }
 
 } // namespace
