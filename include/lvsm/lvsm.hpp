@@ -26,7 +26,7 @@
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
 // esm, convolution, pcf, filter, components, mixture; on the host also lloyd, optimal, passes, passes_depth,
-// passes_fused, passes_mip and passes_place. A whole use, in each language:
+// passes_fused, passes_mip, passes_mixture and passes_place. A whole use, in each language:
 //
 // C++
 //
@@ -93,6 +93,7 @@
 #include "passes_depth.hpp"
 #include "passes_fused.hpp"
 #include "passes_mip.hpp"
+#include "passes_mixture.hpp"
 #include "passes_place.hpp"
 #include "pcf.hpp"
 #include "placement.hpp"

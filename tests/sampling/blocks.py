@@ -19,6 +19,7 @@ BLOCKS = [("BlurBlock", "lvsm_Blur", "blur.comp", "blur.hlsl", "lvsm_blurCompute
           ("PlaceBlock", "lvsm_Place", "place_histogram.comp", "place.hlsl", "lvsm_histogramCompute", {}),
           ("FusedBlock", "lvsm_Fused", "fused.comp", "fused.hlsl", "lvsm_fusedCompute", {}),
           ("MipBlock", "lvsm_Mip", "mip.comp", "mip.hlsl", "lvsm_mipCompute", {}),
+          ("MixingBlock", "lvsm_Mixing", "mixture.comp", "mixture.hlsl", "lvsm_mixtureCompute", {}),
           ("DepthBlock", "lvsm_Depths", "store.comp", "store.hlsl", "lvsm_storeCompute",
            {"glsl": "LVSM_DEPTH_SOURCE=layout(binding=4,std140)", "hlsl": "LVSM_DEPTH_SOURCE=b4"})]
 

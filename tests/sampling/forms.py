@@ -4,7 +4,8 @@ not what it would make.
 
 In GLSL with textures and samplers apart, a sampler follows the maps, in parameters and in calls of lvsm functions, and
 the built-ins join the two. HLSL is that with other words, and with a function for each type that the map may have, which
-its comment says: "map: of 1 component or more", "of 2 components or more" or "of 4 components". HLSL's maps.hlsli alone
+its comment says: "map: of 1 component or more", "of 2 components or more" or "of 4 components"; maps "of codes" are of
+whole numbers, and need no sampler there. HLSL's maps.hlsli alone
 is written by hand, since built-ins have other arguments there; its comments have to agree.
 """
 import argparse
@@ -17,11 +18,13 @@ SAMPLING = ROOT / "glsl/lvsm/sampling"
 HLSL = ROOT / "hlsl/lvsm/sampling"
 WIDTH = 120
 WORDS = {"mix": "lerp", "fract": "frac", "texture2D": "Texture2D", "texture2DArray": "Texture2DArray",
-         "textureCube": "TextureCube", "glsl": "hlsli", "GLSL": "HLSLI"}
+         "textureCube": "TextureCube", "utexture2D": "Texture2D", "utexture2DArray": "Texture2DArray",
+         "glsl": "hlsli", "GLSL": "HLSLI"}
 COMPONENTS = {"of 1 component or more": ["float", "float2", "float4"],
-              "of 2 components or more": ["float2", "float4"], "of 4 components": ["float4"]}
+              "of 2 components or more": ["float2", "float4"], "of 4 components": ["float4"],
+              "of codes of 64 bits": ["uint2"], "of codes of 128 bits": ["uint4"]}
 FUNCTION = re.compile(r"(?:^//[^\n]*\n)*^\w[^\n;{}]*\((?:[^;{}]*)\)\n\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
-MAP = re.compile(r"LVSM_HIGHP sampler(\w+) (\w+)")
+MAP = re.compile(r"LVSM_HIGHP (u?)sampler(\w+) (\w+)")
 
 
 def wrapped(line):
@@ -56,15 +59,15 @@ def rewrapped(function):
 
 
 def separate_function(function):
-    maps = {name: kind for kind, name in MAP.findall(function)}
+    maps = {name: f"{unsigned}sampler{kind}" for unsigned, kind, name in MAP.findall(function)}
     if not maps:
         return function
     names = "|".join(maps)
     function = re.sub(rf"\b(lvsm_\w+\((?:(?:{names})(?:, )?)+(?<!, ))(?=[,)])", r"\1, filtering", function)
     function = re.sub(rf"\b(texture\w+|texelFetch)\(({names}),",
-                      lambda m: f"{m[1]}(sampler{maps[m[2]]}({m[2]}, filtering),", function)
+                      lambda m: f"{m[1]}({maps[m[2]]}({m[2]}, filtering),", function)
     function = re.sub(rf"({MAP.pattern}(?:, {MAP.pattern})*)", r"\1, sampler filtering", function, count=1)
-    return rewrapped(MAP.sub(r"texture\1 \2", function))
+    return rewrapped(MAP.sub(r"\1texture\2 \3", function))
 
 
 def separate(text):
@@ -76,6 +79,8 @@ def hlsl_functions(function):
     """The function for each type of map; only the first has the comment."""
     kinds = [types for phrase, types in COMPONENTS.items() if f"map: {phrase}" in function]
     function = re.sub(r"(lvsm_map\w*Size\(\w+), filtering", r"\1", function)
+    if "map: of codes" in function:
+        function = re.sub(r", (SamplerState )?filtering\b", "", function)
     if not kinds:
         return rewrapped(function)
     copies = [re.sub(r"\b(Texture\w+) (?=\w+[,)])", rf"\1<{type_}> ", function) for type_ in kinds[0]]

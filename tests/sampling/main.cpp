@@ -76,6 +76,9 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"place", sampling::checkPlacing},
                                               {"levels", sampling::checkLevels},
                                               {"depths", sampling::checkDepths},
+                                              {"mixtures", sampling::checkMixtures},
+                                              {"mixture_windows", sampling::checkMixtureWindows},
+                                              {"mixture_wrappers", sampling::checkMixtureWrappers},
                                               {"fused", sampling::checkFused}};
 
 int runOnDevices(Check check, const sampling::Form& form, const std::vector<std::string>& devices)

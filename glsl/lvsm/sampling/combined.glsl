@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, depth, moments, layers, bracket, sampling/highp, sampling/common, sampling/combined/maps, sampling/combined/bracket, convolution, sampling/combined/convolution, filter, esm, sampling/combined/esm, sampling/combined/layers, moments4, sampling/combined/moments4, pcf, receiver, sampling/combined/pcf, plane, sampling/combined/plane, quantised, sampling/combined/quantised, trigonometric, sampling/combined/trigonometric, exponential, sampling/combined/variance.
+// Needs: config, depth, moments, layers, bracket, sampling/highp, sampling/common, sampling/combined/maps, sampling/combined/bracket, convolution, sampling/combined/convolution, filter, esm, sampling/combined/esm, sampling/combined/layers, components, mixture, receiver, sampling/combined/mixture, moments4, sampling/combined/moments4, pcf, sampling/combined/pcf, plane, sampling/combined/plane, quantised, sampling/combined/quantised, trigonometric, sampling/combined/trigonometric, exponential, sampling/combined/variance.
 // Reading shadow maps from textures that carry their sampler: OpenGL's way, WebGL's, and one of Vulkan's two.
 //
 // One function a technique: it takes the map, the point where to read it and the receiver's depth. A point is made by
@@ -24,6 +24,7 @@
 #include "combined/esm.glsl"
 #include "combined/layers.glsl"
 #include "combined/maps.glsl"
+#include "combined/mixture.glsl"
 #include "combined/moments4.glsl"
 #include "combined/pcf.glsl"
 #include "combined/plane.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
-// Needs: config, depth, moments, layers, bracket, sampling/common, sampling/separate/maps, sampling/separate/bracket, convolution, sampling/separate/convolution, filter, esm, sampling/separate/esm, sampling/separate/layers, moments4, sampling/separate/moments4, pcf, receiver, sampling/separate/pcf, plane, sampling/separate/plane, quantised, sampling/separate/quantised, trigonometric, sampling/separate/trigonometric, exponential, sampling/separate/variance.
+// Needs: config, depth, moments, layers, bracket, sampling/common, sampling/separate/maps, sampling/separate/bracket, convolution, sampling/separate/convolution, filter, esm, sampling/separate/esm, sampling/separate/layers, components, mixture, receiver, sampling/separate/mixture, moments4, sampling/separate/moments4, pcf, sampling/separate/pcf, plane, sampling/separate/plane, quantised, sampling/separate/quantised, trigonometric, sampling/separate/trigonometric, exponential, sampling/separate/variance.
 // Reading shadow maps from textures and samplers.
 //
 // One function a technique: it takes the map, the point where to read it and the receiver's depth. A point is made by
@@ -24,6 +24,7 @@
 #include "separate/esm.hlsli"
 #include "separate/layers.hlsli"
 #include "separate/maps.hlsli"
+#include "separate/mixture.hlsli"
 #include "separate/moments4.hlsli"
 #include "separate/pcf.hlsli"
 #include "separate/plane.hlsli"

@@ -105,4 +105,15 @@ vec4 lvsm_fetchSlice(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, int index,
     return texelFetch(map, ivec3(ivec2(place), at.slice + index), 0);
 }
 
+// Size of each slice of a map of codes in texels, and one of its texels.
+vec2 lvsm_mapCodesSize(LVSM_HIGHP usampler2DArray map)
+{
+    return vec2(textureSize(map, 0).xy);
+}
+
+uvec4 lvsm_codeAt(LVSM_HIGHP usampler2DArray map, ivec3 texel)
+{
+    return texelFetch(map, texel, 0);
+}
+
 #endif

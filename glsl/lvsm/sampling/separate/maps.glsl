@@ -86,4 +86,15 @@ vec4 lvsm_fetchSlice(texture2DArray map, sampler filtering, lvsm_MapPoint at, in
     return texelFetch(sampler2DArray(map, filtering), ivec3(ivec2(place), at.slice + index), 0);
 }
 
+// Size of each slice of a map of codes in texels, and one of its texels.
+vec2 lvsm_mapCodesSize(utexture2DArray map, sampler filtering)
+{
+    return vec2(textureSize(usampler2DArray(map, filtering), 0).xy);
+}
+
+uvec4 lvsm_codeAt(utexture2DArray map, sampler filtering, ivec3 texel)
+{
+    return texelFetch(usampler2DArray(map, filtering), texel, 0);
+}
+
 #endif

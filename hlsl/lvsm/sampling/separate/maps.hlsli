@@ -216,4 +216,33 @@ float4 lvsm_fetchSlice(Texture2DArray<float4> map, SamplerState filtering, lvsm_
     return lvsm_fourComponents(map.Load(int4(int2(place), at.slice + index, 0)));
 }
 
+// Size of each slice of a map of codes in texels, and one of its texels.
+float2 lvsm_mapCodesSize(Texture2DArray<uint2> map)
+{
+    uint width;
+    uint height;
+    uint slices;
+    map.GetDimensions(width, height, slices);
+    return float2(float(width), float(height));
+}
+
+uint2 lvsm_codeAt(Texture2DArray<uint2> map, int3 texel)
+{
+    return map.Load(int4(texel, 0));
+}
+
+float2 lvsm_mapCodesSize(Texture2DArray<uint4> map)
+{
+    uint width;
+    uint height;
+    uint slices;
+    map.GetDimensions(width, height, slices);
+    return float2(float(width), float(height));
+}
+
+uint4 lvsm_codeAt(Texture2DArray<uint4> map, int3 texel)
+{
+    return map.Load(int4(texel, 0));
+}
+
 #endif

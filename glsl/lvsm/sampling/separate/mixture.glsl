@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: config, components, mixture, receiver, sampling/highp, sampling/common, sampling/separate/maps.
+// Mixtures of planes: a map of codes, which is read by one nearest fetch.
+//
+// No sampler filters a map of codes, and it has no mip levels. Its texture is one of whole numbers, whose sampler is set
+// to nearest. The bias is that of the topic mixture, and receivers are shifted by half a texel of their slope. passes/mixture
+// makes the map, and mixturePasses of include/lvsm/passes_mixture.hpp tells the window's deviation.
+#ifndef LVSM_SAMPLING_SEPARATE_MIXTURE_GLSL
+#define LVSM_SAMPLING_SEPARATE_MIXTURE_GLSL
+
+#include "../../mixture.glsl"
+#include "../../receiver.glsl"
+#include "maps.glsl"
+
+// Where the nearest code of a point lies, and how far the point is from its centre, in its texels. size: of the map.
+// place: counted from the map's corner. Result: false off the map.
+bool lvsm_nearestCode(lvsm_MapPoint at, vec2 size, out vec2 place, out vec2 offset)
+{
+    vec2 position = clamp(at.uv, -1.0, 2.0) * size;
+    place = floor(position);
+    offset = position - place - 0.5;
+    return place.x >= 0.0 && place.y >= 0.0 && place.x < size.x && place.y < size.y;
+}
+
+/// Visibility from a map of mixtures of two planes.
+/// map: of codes of 64 bits. at: where, see mapPoint; its gradients count nothing here. depth: the receiver's, in [0,1].
+/// gradient: of the receiver's depth per texel of the shadow map, see receiverGradient. texels: of the shadow map to one of
+/// the codes along each axis, 1, or 2 at half resolution. deviation: of the window in texels of the shadow map.
+/// Result in [0,1], an estimate and no bound; 1 off the map.
+/// Source: mixtureVisibility2.
+float lvsm_sampleMixture2(utexture2DArray map, sampler filtering, lvsm_MapPoint at, float depth, vec2 gradient,
+                          float texels, float deviation)
+{
+    vec2 whole = lvsm_mapCodesSize(map, filtering);
+    vec2 place;
+    vec2 offset;
+    if (!lvsm_nearestCode(at, lvsm_pointSize(at, whole), place, offset))
+        return 1.0;
+    uvec2 code = lvsm_codeAt(map, filtering, ivec3(ivec2(place + lvsm_pointOrigin(at, whole)), at.slice)).xy;
+    return lvsm_mixtureVisibility2(code, texels * offset, lvsm_shiftReceiver(depth, gradient, 0.5), gradient,
+                                   deviation, LVSM_MIXTURE_BIAS);
+}
+
+/// Visibility from a map of mixtures of four planes.
+/// map: of codes of 128 bits. at: where, see mapPoint; its gradients count nothing here. depth: the receiver's, in [0,1].
+/// gradient: of the receiver's depth per texel of the shadow map, see receiverGradient. texels: of the shadow map to one of
+/// the codes along each axis, 1, or 2 at half resolution. deviation: of the window in texels of the shadow map.
+/// Result in [0,1], an estimate and no bound; 1 off the map.
+/// Source: mixtureVisibility4.
+float lvsm_sampleMixture4(utexture2DArray map, sampler filtering, lvsm_MapPoint at, float depth, vec2 gradient,
+                          float texels, float deviation)
+{
+    vec2 whole = lvsm_mapCodesSize(map, filtering);
+    vec2 place;
+    vec2 offset;
+    if (!lvsm_nearestCode(at, lvsm_pointSize(at, whole), place, offset))
+        return 1.0;
+    uvec4 code = lvsm_codeAt(map, filtering, ivec3(ivec2(place + lvsm_pointOrigin(at, whole)), at.slice));
+    return lvsm_mixtureVisibility4(code, texels * offset, lvsm_shiftReceiver(depth, gradient, 0.5), gradient,
+                                   deviation, LVSM_MIXTURE_BIAS);
+}
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 lvsm contributors
+// Needs: GLM, config, filter, passes.
+// What the host gives passes/mixture, which makes a map of mixtures from depths: the windows that it knows, its block,
+// and what to run.
+//
+// A window is made in rounds, each of which mixes three texels a step apart, with the shares 1/4, 1/2, 1/4, along x and
+// then along y. The last step is half of what the window reaches, rounded up, the one before half of what is left, and so
+// on; but none is above 5, past which weights would rise again away from the middle. Steps are then 1, 2 and 4 where the
+// width is 3, 7 or 15, and the window is a triangle. For other widths it is nearly one, somewhat narrower: weights that
+// fall from the middle outwards, over exactly so many texels.
+//
+// One dispatch holds two rounds in 12.25 KiB of shared memory; more do not fit in the 16 KiB that Vulkan promises. Two
+// rounds are 7 texels, or 14 of the depths at half resolution. A wider window takes one dispatch more for each round, and
+// between them lie components, packed to 128 bits, as slices of a texture rgba32ui: two or four.
+// On the host alone: no shader has it.
+#ifndef LVSM_PASSES_MIXTURE_HPP
+#define LVSM_PASSES_MIXTURE_HPP
+
+#include "passes.hpp"
+
+#include <cmath>
+
+namespace lvsm
+{
+
+// Widest window, in texels of the map of mixtures, and the most rounds that a window has.
+constexpr int kMaxMixtureWidth = 25;
+constexpr int kMaxMixtureRounds = 4;
+
+// Texels to each side that two rounds in one dispatch reach, and texels in the shared memory of a group, in x and in y.
+constexpr int kMaxMixtureHalo = 3;
+constexpr int kMixtureTile = 14;
+
+/// A window of mixtures: its rounds, from the first, and its deviation along each axis in texels of the depths.
+struct MixtureWindow
+{
+    int rounds;
+    int steps[kMaxMixtureRounds];
+    float deviation;
+};
+
+/// The block lvsm_Mixing.
+struct MixingBlock
+{
+    std::int32_t map[4];
+    std::int32_t region[4];
+    std::int32_t origins[4];
+    std::int32_t steps[2];
+    std::int32_t spacing;
+    std::int32_t texels;
+    float deviation;
+    std::int32_t slice;
+    std::int32_t unused[2];
+};
+
+/// What makes a map of mixtures: so many passes, in their order. The first reads depths, the last writes codes; between
+/// them are mixtures, in textures of at least between.width x between.height texels.
+struct MixturePasses
+{
+    Pass<MixingBlock> passes[2 * kMaxMixtureRounds];
+    int count;
+    Rectangle between;
+    float deviation;
+};
+
+/// The rounds that make a window.
+/// width: of the window in texels of the map of mixtures, odd, from 1 to 25; an even one is made odd by one less. half:
+/// whether a texel of the map is one of 2 x 2 texels of the depths, whose window is twice as wide.
+/// Result: deviation is what encodeMixture2 and 4 and the wrappers take.
+/// Source: a step s with shares 1/4 adds the variance s^2 / 2; two texels of the depths have the variance 1/4.
+inline MixtureWindow mixtureWindow(int width, bool half = false)
+{
+    MixtureWindow window{};
+    int steps[kMaxMixtureRounds] = {};
+    int left = (detail::clamp(width, 1, kMaxMixtureWidth) - 1) / 2;
+    while (left > 0)
+    {
+        steps[window.rounds] = detail::minimum((left + 1) / 2, 5);
+        left -= steps[window.rounds++];
+    }
+    float variance = half ? 0.25f : 0.0f;
+    for (int i = 0; i < window.rounds; ++i)
+    {
+        window.steps[i] = steps[window.rounds - 1 - i];
+        variance += static_cast<float>(window.steps[i] * window.steps[i]) * (half ? 2.0f : 0.5f);
+    }
+    window.deviation = std::sqrt(variance);
+    return window;
+}
+
+namespace detail
+{
+
+// One pass of a window: its steps, and how far it reads in x and in y.
+struct MixtureStage
+{
+    int steps[2];
+    int spacing;
+    int reach[2];
+};
+
+inline Rectangle grown(const Rectangle& r, int x, int y)
+{
+    return {r.x - x, r.y - y, r.width + 2 * x, r.height + 2 * y};
+}
+
+inline MixturePasses mixtureStages(const MixtureStage* stages, int count, const MixtureWindow& window, bool half,
+                                   const Rectangle& map, const Rectangle& region, int slice)
+{
+    const int texels = half ? 2 : 1;
+    const Rectangle inside = intersection(map, region);
+    const int right = (inside.x + inside.width + texels - 1) / texels;
+    const int bottom = (inside.y + inside.height + texels - 1) / texels;
+    const Rectangle coded{inside.x / texels, inside.y / texels, right - inside.x / texels, bottom - inside.y / texels};
+
+    MixturePasses made{};
+    made.count = count;
+    made.deviation = window.deviation;
+    int ahead[2] = {0, 0};
+    for (int i = 1; i < count; ++i)
+    {
+        ahead[0] += stages[i].reach[0];
+        ahead[1] += stages[i].reach[1];
+    }
+    const Rectangle whole = grown(coded, ahead[0], ahead[1]);
+    made.between = count > 1 ? Rectangle{0, 0, whole.width, whole.height} : Rectangle{};
+    for (int i = 0; i < count; ++i)
+    {
+        const MixtureStage& stage = stages[i];
+        const bool isLast = i + 1 == count;
+        ahead[0] -= i > 0 ? stage.reach[0] : 0;
+        ahead[1] -= i > 0 ? stage.reach[1] : 0;
+        const Rectangle written = grown(coded, ahead[0], ahead[1]);
+        Pass<MixingBlock>& pass = made.passes[i];
+        storeEnds(pass.block.map, map);
+        storeEnds(pass.block.region, written);
+        pass.block.origins[0] = i > 0 ? whole.x : 0;
+        pass.block.origins[1] = i > 0 ? whole.y : 0;
+        pass.block.origins[2] = isLast ? 0 : whole.x;
+        pass.block.origins[3] = isLast ? 0 : whole.y;
+        pass.block.steps[0] = stage.steps[0];
+        pass.block.steps[1] = stage.steps[1];
+        pass.block.spacing = stage.spacing;
+        pass.block.texels = texels;
+        pass.block.deviation = window.deviation;
+        pass.block.slice = isLast ? slice : 0;
+        // A group has texels that are the spacing apart.
+        const int span = kPassGroupSize * stage.spacing;
+        pass.groups = {(written.width + span - 1) / span * stage.spacing,
+                       (written.height + span - 1) / span * stage.spacing, 1};
+        pass.region = {written.x - pass.block.origins[2], written.y - pass.block.origins[3], written.width,
+                       written.height};
+    }
+    return made;
+}
+
+} // namespace detail
+
+/// The dispatches that make a map of mixtures from depths.
+/// width, half: as mixtureWindow takes them. map: where the map is in the texture of depths, in its texels; at half
+/// resolution x and y are even. region: what of it is to be made, in texels of the depths; what is off the map is left
+/// out. A change of the depths by a rectangle changes that of the map by half the window's width on every side. slice: of
+/// the target.
+/// Result: one pass for windows to 7 texels, two to 15, three to 25. What a texel of the depths has at (x, y) the codes
+/// have there, or at half resolution at (x / 2, y / 2).
+inline MixturePasses mixturePasses(int width, bool half, const Rectangle& map, const Rectangle& region, int slice = 0)
+{
+    const MixtureWindow window = mixtureWindow(width, half);
+    const int first = window.steps[0] + window.steps[1];
+    detail::MixtureStage stages[kMaxMixtureRounds] = {{{window.steps[0], window.steps[1]}, 1, {first, first}}};
+    int count = 1;
+    for (int round = 2; round < window.rounds; ++round)
+    {
+        const int step = window.steps[round];
+        stages[count++] = {{1, 0}, step, {step, step}};
+    }
+    return detail::mixtureStages(stages, count, window, half, map, region, slice);
+}
+
+} // namespace lvsm
+
+#endif
