@@ -2,7 +2,7 @@
 // the receiver's own plane, with the same weights. It has nothing of the library but the depth's metric.
 #include <lvsm>
 #include <viewer_light>
-uniform highp sampler2D depths;
+uniform highp sampler2DArray map; // depths, a slice for each face of the light
 uniform float weights[MAX_TAPS];
 uniform int radius;
 layout(location = 0) out vec4 result;
@@ -20,10 +20,10 @@ float weightOf(int tap, float between)
 }
 
 // Where the light's ray through a point of the map meets the plane.
-vec3 onPlane(vec2 at, vec3 point, vec3 normal)
+vec3 onPlane(int face, vec2 at, vec3 point, vec3 normal)
 {
-    vec4 near = fromLight * vec4(at * 2.0 - 1.0, -1.0, 1.0);
-    vec4 far = fromLight * vec4(at * 2.0 - 1.0, 1.0, 1.0);
+    vec4 near = fromLight[face] * vec4(at * 2.0 - 1.0, -1.0, 1.0);
+    vec4 far = fromLight[face] * vec4(at * 2.0 - 1.0, 1.0, 1.0);
     vec3 from = near.xyz / near.w;
     vec3 ray = far.xyz / far.w - from;
     float height = dot(normal, point - from);
@@ -42,7 +42,8 @@ void main()
     result = vec4(1.0, -1.0, 0.0, 0.0);
     if (at.z == 0.0)
         return;
-    ivec2 size = textureSize(depths, 0);
+    int face = faceOf(world);
+    ivec2 size = textureSize(map, 0).xy;
     vec2 corner = at.xy * vec2(size) - 0.5;
     ivec2 first = ivec2(floor(corner)) - radius;
     vec2 between = fract(corner);
@@ -53,10 +54,10 @@ void main()
         for (int x = 0; x <= 2 * radius + 1; ++x)
         {
             ivec2 tap = first + ivec2(x, y);
-            vec3 receiver = onPlane((vec2(tap) + 0.5) / vec2(size), world, normal);
+            vec3 receiver = onPlane(face, (vec2(tap) + 0.5) / vec2(size), world, normal);
             float rise = OWN_SLOPE * distance(receiver, world) / (lightRange.y - lightRange.x);
             bool isOn = all(greaterThanEqual(tap, ivec2(0))) && all(lessThan(tap, size));
-            float occluder = isOn ? texelFetch(depths, clamp(tap, ivec2(0), size - 1), 0).r : 1.0;
+            float occluder = isOn ? texelFetch(map, ivec3(clamp(tap, ivec2(0), size - 1), face), 0).r : 1.0;
             lit += occluder >= lightDepth(receiver) - rise - SLACK ? row * weightOf(x, between.x) : 0.0;
         }
     }

@@ -2,24 +2,30 @@
 #include <viewer_light>
 uniform LVSM_HIGHP sampler2DArray map;
 uniform LVSM_HIGHP sampler2DArray unfiltered;
+uniform int slicesOfFace;
+uniform float tangent;
 layout(location = 0) out vec4 result;
 
 void main()
 {
+    vec3 direction = world - lightPosition.xyz;
     vec2 uv = mapCoord(world).xy;
-    vec2 texels = uv * vec2(textureSize(map, 0).xy);
     float depth = lightDepth(world);
-    vec3 across = vec3(dFdx(texels), dFdx(depth));
-    vec3 down = vec3(dFdy(texels), dFdy(depth));
     lvsm_MapPoint at = lvsm_mapPoint(uv, dFdx(uv), dFdy(uv), 0);
+    vec3 across = dFdx(direction);
+    vec3 down = dFdy(direction);
+    vec2 change = vec2(dFdx(depth), dFdy(depth));
     if (texture(albedo, coord).a < cutoff)
         discard;
+    if (faceCount > 1)
+        at = lvsm_cubePoint(direction, across, down, 0, slicesOfFace, tangent);
     if (mapCoord(world).z == 0.0)
     {
         result = vec4(1.0, -1.0, 0.0, 0.0);
         return;
     }
-    vec2 gradient = lvsm_receiverGradient(across, down);
+    vec2 size = vec2(textureSize(map, 0).xy);
+    vec2 gradient = lvsm_receiverGradient(vec3(at.dx * size, change.x), vec3(at.dy * size, change.y));
     float lit = VISIBILITY;
     result = vec4(lit, LAYER, stored(map, at, depth));
 }

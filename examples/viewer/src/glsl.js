@@ -66,8 +66,8 @@ export function pasteable(technique, side, frame, language, header) {
     const text = `${constants}\n${storeText(technique)}\n${judgeText(technique)}`;
     const file = isHlsl ? "lvsm_separate.hlsli" : "lvsm_combined.glsl";
     const lines = [...header, `Paste ${file} in front of this${maxLayers > 8 ? `, and in front of that #define LVSM_MAX_LAYERS ${maxLayers}` : ""}.`,
-                   "store: a slice's texel for a depth in [0,1]. visibility: at = lvsm_mapPoint(uv, dFdx(uv), dFdy(uv), 0),",
-                   "depth of the receiver, and its gradient per texel from lvsm_receiverGradient."];
+                   "store: a slice's texel for a depth in [0,1]. visibility: where, such as lvsm_mapPoint(uv, dFdx(uv), dFdy(uv), 0) or",
+                   "lvsm_cubePoint; the receiver's depth, and its gradient per texel from lvsm_receiverGradient."];
     const comment = lines.map((line) => `// ${line}\n`).join("");
     return `${comment}${isHlsl ? toHlsl(text) : text}`;
 }

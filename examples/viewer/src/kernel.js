@@ -1,4 +1,5 @@
-// The blur's kernel: its taps, and as the fetches that the library's blur pass takes, two taps to each.
+// The blur's kernel: its taps, and as the fetches that the library's blur pass takes, two taps to each. And the blocks of
+// the library's passes, which C++ has from include/lvsm/passes.hpp.
 const MAX_FETCHES = 66;
 
 const SHAPES = {
@@ -43,6 +44,12 @@ export function blurBlock(fetches, size, direction, border, slice) {
     new Int32Array(data, 56, 2).set([slice, fetches.length]);
     new Float32Array(data, 64, 2 * MAX_FETCHES).set(fetches.flat());
     return data;
+}
+
+// The block lvsm_Mip, as MipBlock of include/lvsm/passes_mip.hpp.
+export function mipBlock(size, level, slice) {
+    const [before, own] = [level - 1, level].map((number) => Math.max(size >> number, 1));
+    return new Int32Array([0, 0, before, before, 0, 0, own, own, slice, level - 1, 0, 0]).buffer;
 }
 
 // The block lvsm_Store, as StoreBlock of include/lvsm/passes.hpp. The viewer's store functions have their splits as

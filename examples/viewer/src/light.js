@@ -1,16 +1,21 @@
-// A directional or spot light fitted to what a scene is about, as the gallery's light.cpp fits them.
+// A light fitted to what a scene is about; directional and spot lights as the gallery's light.cpp fits them.
 import * as THREE from "three";
 
 const SPOT_DISTANCE = 12;
 const SPOT_FAR = 4 * SPOT_DISTANCE;
+// How far a point light stands from the middle, in half diagonals of what it is to cover.
+const POINT_DISTANCE = 1.1;
+// The faces +x, -x, +y, -y, +z, -z of lvsm_cubePoint: where they look, and what is up in their maps.
+const FACES = [[[1, 0, 0], [0, -1, 0]], [[-1, 0, 0], [0, -1, 0]], [[0, 1, 0], [0, 0, 1]], [[0, -1, 0], [0, 0, -1]],
+               [[0, 0, 1], [0, -1, 0]], [[0, 0, -1], [0, -1, 0]]];
 
 function corners({low, high}) {
     return Array.from({length: 8}, (_, i) => new THREE.Vector3(...low.map((value, axis) => (i >> axis & 1 ? high[axis] : value))));
 }
 
-// A camera at eye that looks along direction, with -z up, as the map has it.
-function place(camera, eye, direction) {
-    camera.up.set(0, 0, -1);
+// A camera at eye that looks along direction.
+function place(camera, eye, direction, up = [0, 0, -1]) {
+    camera.up.set(...up);
     camera.position.copy(eye);
     camera.lookAt(eye.clone().add(direction));
     camera.updateMatrixWorld();
@@ -43,7 +48,7 @@ function directional(focus, direction) {
     Object.assign(camera, {left: seen.min.x, right: seen.max.x, bottom: seen.min.y, top: seen.max.y, near: 0, far: 4 * reach});
     camera.updateProjectionMatrix();
     const range = rangeOf(focus, camera, (point) => point.clone().sub(origin).dot(direction));
-    return {camera, position: new THREE.Vector4(...origin, 0), direction, range, cone: new THREE.Vector2(0, 0)};
+    return {cameras: [camera], position: new THREE.Vector4(...origin, 0), direction, range, cone: new THREE.Vector2(0, 0)};
 }
 
 function spot(focus, direction) {
@@ -57,7 +62,7 @@ function spot(focus, direction) {
     camera.updateProjectionMatrix();
     const range = rangeOf(focus, camera, (point) => point.distanceTo(position));
     const edge = Math.cos(angle);
-    return {camera, position: new THREE.Vector4(...position, 1), direction, range,
+    return {cameras: [camera], position: new THREE.Vector4(...position, 1), direction, range,
             cone: new THREE.Vector2(edge, edge + 0.3 * (1 - edge))};
 }
 
@@ -71,10 +76,34 @@ export function anglesOf([x, y, z]) {
     return {azimuth: THREE.MathUtils.radToDeg(Math.atan2(-x, -z)), elevation: THREE.MathUtils.radToDeg(Math.asin(-y))};
 }
 
-// kind: "directional" or "spot". Result: the camera that draws the map, and what the shaders' light block holds.
-export function makeLight(kind, focus, direction) {
-    const light = kind === "spot" ? spot(focus, direction) : directional(focus, direction);
-    light.toLight = new THREE.Matrix4().multiplyMatrices(light.camera.projectionMatrix, light.camera.matrixWorldInverse);
-    light.fromLight = light.toLight.clone().invert();
+// A face is larger than its share of the cube by a margin of texels, which the blur reaches into.
+function point(focus, direction, {size, radius}) {
+    const box = new THREE.Box3(new THREE.Vector3(...focus.low), new THREE.Vector3(...focus.high));
+    const reach = box.min.distanceTo(box.max) / 2;
+    const position = box.getCenter(new THREE.Vector3()).addScaledVector(direction, -POINT_DISTANCE * reach);
+    position.y = Math.max(position.y, 0.3 * reach);
+    const tangent = size / (size - 2 * (radius + 2));
+    const farthest = Math.max(...corners(focus).map((corner) => corner.distanceTo(position)));
+    const range = new THREE.Vector2(0.5 * box.distanceToPoint(position), 1.3 * farthest);
+    const cameras = FACES.map(([along, up]) => {
+        const angle = 2 * Math.atan(tangent) * 180 / Math.PI;
+        const camera = new THREE.PerspectiveCamera(angle, 1, 0.02 * reach, 100);
+        camera.updateProjectionMatrix();
+        return place(camera, position, new THREE.Vector3(...along), up);
+    });
+    // Its cone is all around.
+    return {cameras, position: new THREE.Vector4(...position, 1), direction, range, cone: new THREE.Vector2(-3, -2), tangent};
+}
+
+const KINDS = {directional, spot, point};
+
+// kind: of KINDS. map: its size, and the radius of its blur. Result: the cameras that draw the map, and what the shaders
+// know of the light.
+export function makeLight(kind, focus, direction, map) {
+    const light = {tangent: 1, ...KINDS[kind](focus, direction, map)};
+    const matrices = light.cameras.map(({projectionMatrix, matrixWorldInverse}) =>
+        new THREE.Matrix4().multiplyMatrices(projectionMatrix, matrixWorldInverse));
+    light.toLight = Array.from({length: 6}, (_, face) => matrices[face] ?? matrices[0]);
+    light.fromLight = light.toLight.map((matrix) => matrix.clone().invert());
     return light;
 }

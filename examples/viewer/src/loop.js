@@ -75,12 +75,16 @@ export class Loop {
         const isOwn = !this.state.isSet("azimuth") && !this.state.isSet("elevation") && swing === 0;
         const direction = isOwn ? new THREE.Vector3(...scene.lightDirection)
                                 : directionOf(this.state.get("azimuth") + swing, this.state.get("elevation"));
-        return makeLight(this.state.get("light"), scene.focus, direction);
+        return makeLight(this.state.get("light"), scene.focus, direction, {size: this.mapSize(), radius: this.kernel().radius});
+    }
+
+    mapSize() {
+        return this.state.get("size") / (this.state.get("light") === "point" ? 2 : 1);
     }
 
     // What the techniques' constants need to know of the frame, beside the side's settings.
     frameOf(side) {
-        return {size: this.state.get("size"), kernel: this.kernel(), splits: this.splits[side],
+        return {size: this.mapSize(), kernel: this.kernel(), splits: this.splits[side],
                 mipmaps: this.state.get("mipmaps"),
                 anisotropy: Math.min(this.state.get("anisotropy"), this.viewer.device.anisotropy)};
     }
@@ -105,7 +109,7 @@ export class Loop {
         this.placeLayers();
         const sides = Object.fromEntries(SIDES.map((side) => [
             side, {technique: this.state.get(side), side: this.state.side(side), frame: this.frameOf(side)}]));
-        this.picture.draw(this.viewer.camera.camera, this.state.get("size"), this.kernel(), sides);
+        this.picture.draw(this.viewer.camera.camera, this.mapSize(), this.kernel(), sides);
         this.isStale = false;
     }
 

@@ -1,10 +1,12 @@
-// From the light's depths to what a technique reads: the library's passes store.frag and blur.frag, over every slice.
+// From the light's depths to what a technique reads: the library's passes store.frag, blur.frag and mip.frag, over every
+// slice.
 import * as THREE from "three";
 import store from "lvsm/shaders/lvsm_store.frag";
 import blur from "lvsm/shaders/lvsm_blur.frag";
+import mip from "lvsm/shaders/lvsm_mip.frag";
 import {largestOf, FORMATS, textureOptions} from "./formats.js";
 import {constantsOf, maxLayersFor, storeText, uniformDeclarations} from "./glsl.js";
-import {blurBlock, fetchesOf, storeBlock} from "./kernel.js";
+import {blurBlock, fetchesOf, mipBlock, storeBlock} from "./kernel.js";
 import {uniformsOf} from "./passes.js";
 import {sliceCount, TECHNIQUES} from "./techniques.js";
 
@@ -12,6 +14,7 @@ import {sliceCount, TECHNIQUES} from "./techniques.js";
 const withoutVersion = (text) => text.replace(/^#version[^\n]*\n/, "");
 const STORE = withoutVersion(store);
 const BLUR = withoutVersion(blur);
+const MIP = withoutVersion(mip);
 
 export function valuesOf(technique, side, frame) {
     const maxLayers = maxLayersFor(side, technique);
@@ -60,47 +63,61 @@ export class MapMaker {
         return this.#borders.get(key);
     }
 
-    // The map of a side, stored and blurred, and the unblurred one. depths: a texture of the light's linear depths.
-    // frame: what it knows of the kernel, splits, mip maps and anisotropy.
+    // The map of a side, stored and blurred, and the unblurred one, all slices of a face of the light one after the other.
+    // depths: for each face a target of linear depths. frame: what it knows of kernel, splits, mip maps and anisotropy.
     make(name, technique, side, frame, depths) {
         const {channels, filtered, unfiltered} = TECHNIQUES[technique];
-        const slices = sliceCount(TECHNIQUES[technique], side);
+        const own = sliceCount(TECHNIQUES[technique], side);
+        const slices = own * depths.length;
         const size = frame.size;
         const {normalized} = FORMATS[side.format];
         const filter = filtered ? THREE.LinearFilter : THREE.NearestFilter;
         const plain = {width: size, height: size, slices, normalized, ...textureOptions(side.format, channels),
                        minFilter: filter, magFilter: filter};
         const hasLevels = filtered && frame.mipmaps;
-        const last = hasLevels ? {...plain, generateMipmaps: true, minFilter: THREE.LinearMipmapLinearFilter,
+        const last = hasLevels ? {...plain, levels: Math.log2(size) + 1, minFilter: THREE.LinearMipmapLinearFilter,
                                   anisotropy: frame.anisotropy} : plain;
         const isBlurred = filtered && frame.kernel.taps > 1;
 
         const stored = this.passes.target(`${name}.stored`, isBlurred ? plain : last);
-        const material = this.storeMaterial(technique, side, frame, depths);
-        this.timer.measured(`${name} store`, () => {
-            for (let slice = 0; slice < slices; ++slice)
-                this.passes.drawOver(stored, material, {slice, block: storeBlock(size, slice),
-                                                        mipmaps: hasLevels && !isBlurred && slice === slices - 1});
-        });
-        if (!isBlurred)
-            return {map: stored.texture, unfiltered: stored.texture};
-        const blurred = this.passes.target(`${name}.blurred`, last);
-        const halfway = this.passes.target(`${name}.halfway`, {...plain, slices: 1});
-        this.timer.measured(`${name} blur`, () => this.blur(stored, halfway, blurred, this.borders(technique, side, frame),
-                                                           frame, hasLevels));
-        return {map: blurred.texture, unfiltered: unfiltered ? stored.texture : blurred.texture};
+        this.timer.measured(`${name} store`, () => depths.forEach(({texture}, face) => {
+            const material = this.storeMaterial(technique, side, frame, texture);
+            for (let slice = 0; slice < own; ++slice)
+                this.passes.drawOver(stored, material, {slice: own * face + slice, block: storeBlock(size, slice)});
+        }));
+        let map = stored;
+        if (isBlurred) {
+            map = this.passes.target(`${name}.blurred`, last);
+            const halfway = this.passes.target(`${name}.halfway`, {...plain, slices: 1});
+            const borders = depths.flatMap(() => this.borders(technique, side, frame));
+            this.timer.measured(`${name} blur`, () => this.blur(stored, halfway, map, borders, frame));
+        }
+        if (hasLevels)
+            this.timer.measured(`${name} levels`, () => this.makeLevels(map, plain, slices));
+        return {map: map.texture, unfiltered: unfiltered ? stored.texture : map.texture};
     }
 
-    blur(stored, halfway, blurred, borders, frame, hasLevels) {
-        const fetches = fetchesOf(frame.kernel);
+    blur(stored, halfway, blurred, borders, {kernel, size}) {
+        const fetches = fetchesOf(kernel);
         borders.forEach((border, slice) => {
             for (const [from, to, direction, source, target] of [[stored, halfway, [1, 0], slice, 0],
                                                                  [halfway, blurred, [0, 1], 0, slice]]) {
                 const material = this.passes.material(BLUR, {lvsm_source: {value: from.texture}});
-                this.passes.drawOver(to, material, {
-                    slice: target, block: blurBlock(fetches, frame.size, direction, border, source),
-                    mipmaps: to === blurred && hasLevels && slice === borders.length - 1});
+                this.passes.drawOver(to, material, {slice: target, block: blurBlock(fetches, size, direction, border, source)});
             }
         });
+    }
+
+    // Drawn beside the map and copied into it: WebGL does not draw to a texture that it reads.
+    makeLevels(map, plain, slices) {
+        const material = this.passes.material(MIP, {lvsm_source: {value: map.texture}});
+        const size = plain.width;
+        const beside = this.passes.target("level", {...plain, width: size / 2, height: size / 2, slices: 1});
+        for (let level = 1; size >> level > 0; ++level) {
+            for (let slice = 0; slice < slices; ++slice) {
+                this.passes.drawOver(beside, material, {extent: size >> level, block: mipBlock(size, level, slice)});
+                this.passes.copyInto(map, slice, level, size >> level);
+            }
+        }
     }
 }

@@ -25,19 +25,19 @@ export class Passes {
         this.block = this.gl.createBuffer();
     }
 
-    // A target of this name: made anew when options differ. options: of a render target, with size or width and height,
-    // slices of an array of textures, and normalized.
+    // A target of this name: made anew when options differ. options: of a render target, with width and height, slices of
+    // an array of textures, levels where it has more than one, and normalized.
     target(name, options) {
         const key = JSON.stringify(options);
         const old = this.#targets.get(name);
         if (old?.key === key)
             return old.target;
         old?.target.dispose();
-        const {width, height, slices, normalized = false, ...rest} = options;
+        const {width, height, slices, levels = 1, normalized = false, ...rest} = options;
         const target = slices ? new THREE.WebGLArrayRenderTarget(width, height, slices, rest)
                               : new THREE.WebGLRenderTarget(width, height, rest);
         for (const texture of target.textures)
-            Object.assign(texture, {normalized, mipmapsAutoUpdate: false});
+            Object.assign(texture, {normalized, mipmaps: levels > 1 ? Array(levels).fill({}) : []});
         this.#targets.set(name, {key, target});
         return target;
     }
@@ -72,18 +72,25 @@ export class Passes {
         this.renderer.render(scene, camera);
     }
 
-    // block: data of the shader's one uniform block, if it has any.
-    drawOver(target, material, {slice = 0, block, mipmaps = false} = {}) {
+    // Over a slice of the target, or the square at its corner that is extent wide. block: data of the shader's one uniform
+    // block, if it has any.
+    drawOver(target, material, {slice = 0, extent, block} = {}) {
         if (block) {
             this.gl.bindBuffer(this.gl.UNIFORM_BUFFER, this.block);
             this.gl.bufferData(this.gl.UNIFORM_BUFFER, block, this.gl.STREAM_DRAW);
             this.gl.bindBufferBase(this.gl.UNIFORM_BUFFER, 0, this.block);
         }
-        if (target)
-            target.texture.mipmapsAutoUpdate = mipmaps;
+        target?.viewport.set(0, 0, extent ?? target.width, extent ?? target.height);
         this.fullScreen.material = material;
         this.renderer.setRenderTarget(target, slice);
         this.renderer.render(this.fullScreen, this.noCamera);
+    }
+
+    // What has just been drawn, the square at its corner, becomes a level of a slice of an array of textures.
+    copyInto({texture}, slice, level, extent) {
+        const {gl} = this;
+        this.renderer.state.bindTexture(gl.TEXTURE_2D_ARRAY, this.renderer.properties.get(texture).__webglTexture);
+        gl.copyTexSubImage3D(gl.TEXTURE_2D_ARRAY, level, 0, 0, slice, 0, 0, extent, extent);
     }
 
     read(target, width, height) {

@@ -13,7 +13,7 @@ import showFragment from "../shaders/show.frag.glsl";
 import {constantsOf, judgeText, maxLayersFor, storeText, storedText, uniformDeclarations} from "./glsl.js";
 import {MapMaker, valuesOf} from "./maps.js";
 import {Passes, uniformsOf} from "./passes.js";
-import {TECHNIQUES} from "./techniques.js";
+import {sliceCount, TECHNIQUES} from "./techniques.js";
 import {Timer} from "./timer.js";
 
 Object.assign(THREE.ShaderChunk, {lvsm: library, lvsm_sampling: sampling, viewer_light: lightGlsl});
@@ -35,7 +35,7 @@ export class Picture {
         this.white = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
         this.white.needsUpdate = true;
         this.shared = uniformsOf({toLight: null, fromLight: null, lightPosition: null, lightDirection: null, lightRange: null,
-                                  lightCone: null, albedo: this.white, cutoff: 0});
+                                  lightCone: null, faceCount: 1, tangent: 1, albedo: this.white, cutoff: 0});
         this.scene = new THREE.Scene();
         canvas.addEventListener("webglcontextrestored", () => {
             this.passes.forget();
@@ -65,9 +65,9 @@ export class Picture {
 
     setLight(light) {
         this.light = light;
-        const {toLight, fromLight, position, direction, range, cone} = light;
+        const {toLight, fromLight, position, direction, range, cone, tangent, cameras} = light;
         const values = {toLight, fromLight, lightPosition: position, lightDirection: direction, lightRange: range,
-                        lightCone: cone};
+                        lightCone: cone, tangent, faceCount: cameras.length};
         for (const [name, value] of Object.entries(values))
             this.shared[name].value = value;
     }
@@ -78,19 +78,27 @@ export class Picture {
         this.renderer.clear(true, depth, false);
     }
 
+    // A texture of depths for each face of the light.
     drawDepths(name, size) {
-        const target = this.passes.target(name, {width: size, height: size, ...DEPTHS});
-        this.clear(target, 1, 1, 1, 1, true);
-        this.passes.drawScene(target, this.passes.material(depthFragment, this.shared, {isScene: true}), this.scene,
-                              this.light.camera);
-        return target;
+        const material = this.passes.material(depthFragment, this.shared, {isScene: true});
+        return this.light.cameras.map((camera, face) => {
+            const target = this.passes.target(`${name}.${face}`, {width: size, height: size, ...DEPTHS});
+            this.clear(target, 1, 1, 1, 1, true);
+            this.passes.drawScene(target, material, this.scene, camera);
+            return target;
+        });
     }
 
-    // The light's depths, row by row, for placing splits: a small map tells them as well as a large one.
+    // The light's depths, row by row and face by face, for placing splits: a small map tells them as well as a large one.
     readDepths() {
-        const target = this.drawDepths("placement", PLACEMENT_SIZE);
-        const read = this.passes.read(target, PLACEMENT_SIZE, PLACEMENT_SIZE);
-        return {depths: read.filter((_, index) => index % 4 === 0), width: PLACEMENT_SIZE, height: PLACEMENT_SIZE};
+        const faces = this.light.cameras.length;
+        const size = faces > 1 ? PLACEMENT_SIZE / 2 : PLACEMENT_SIZE;
+        const depths = new Float32Array(faces * size * size);
+        this.drawDepths("placement", size).forEach((target, face) => {
+            const read = this.passes.read(target, size, size);
+            depths.set(read.filter((_, index) => index % 4 === 0), face * size * size);
+        });
+        return {depths, width: size, height: faces * size};
     }
 
     drawSurface(camera) {
@@ -116,7 +124,8 @@ export class Picture {
             #define LAYER ${layered ? "float(lvsm_layerIndex(depth, splits, layerCount))" : "0.0"}
             #define VISIBILITY visibility(map, ${takesUnfiltered ? "unfiltered, " : ""}at, depth, gradient)
             ${judgeFragment}`;
-        const uniforms = uniformsOf({map, unfiltered, ...Object.fromEntries(valuesOf(technique, side, frame))});
+        const uniforms = uniformsOf({map, unfiltered, slicesOfFace: sliceCount(TECHNIQUES[technique], side),
+                                     ...Object.fromEntries(valuesOf(technique, side, frame))});
         return this.passes.material(fragment, {...this.shared, ...uniforms},
                                     {isScene: true, defines: {LVSM_MAX_LAYERS: maxLayersFor(side, technique)}});
     }
@@ -125,9 +134,11 @@ export class Picture {
     drawExact() {
         if (this.drawn.exact)
             return;
-        const {kernel, camera, depths} = this.drawn;
+        const {kernel, camera, depths, size} = this.drawn;
         const weights = Array.from({length: MAX_TAPS}, (_, i) => kernel.weights[i] ?? 0);
-        const uniforms = uniformsOf({depths: depths.texture, weights, radius: kernel.radius});
+        // All faces in one array, which is what a plain shadow map is.
+        const {map} = this.maps.make("exact", "basic", {format: "fp32", bias: 0}, {size, kernel}, depths);
+        const uniforms = uniformsOf({map, weights, radius: kernel.radius});
         const material = this.passes.material(exactFragment, {...this.shared, ...uniforms}, {isScene: true, defines: {MAX_TAPS}});
         this.drawn.exact = this.timer.measured("exact", () => this.drawJudged("exact", material, camera));
     }
@@ -137,14 +148,14 @@ export class Picture {
         this.timer.begin();
         const depths = this.timer.measured("depth", () => this.drawDepths("depths", size));
         const surface = this.timer.measured("surface", () => this.drawSurface(camera));
-        this.drawn = {kernel, camera, depths, colours: surface.textures[0], arriving: surface.textures[1], exact: null};
+        this.drawn = {kernel, camera, depths, size, colours: surface.textures[0], arriving: surface.textures[1], exact: null};
         for (const [name, {technique, side, frame}] of Object.entries(sides)) {
             if (technique === "exact") {
                 this.drawExact();
                 this.drawn[name] = this.drawn.exact;
                 continue;
             }
-            const made = this.maps.make(name, technique, side, frame, depths.texture);
+            const made = this.maps.make(name, technique, side, frame, depths);
             this.drawn[name] = this.timer.measured(`${name} judge`, () => this.drawJudged(
                 `${name}.judged`, this.judgeMaterial(technique, side, frame, made), camera));
         }

@@ -15,12 +15,13 @@ const scale = (label, line, min, max) => ({kind: "scale", label, line, min, max}
 
 export const SETTINGS = {
     scene: choice("Scene", "What casts and receives.", named(SCENES, "title"), "bench"),
-    light: choice("Light", "A directional light is far away; a spot light has a place and a cone.",
-                  [["directional", "Directional"], ["spot", "Spot"]], "directional"),
+    light: choice("Light", "A directional light is far away; a spot light has a place and a cone, a point light six faces.",
+                  [["directional", "Directional"], ["spot", "Spot"], ["point", "Point"]], "directional"),
     azimuth: range("Azimuth", "From where the light comes, in degrees around the vertical.", -180, 180, 1),
     elevation: range("Elevation", "How high the light stands, in degrees above the horizon.", 15, 90, 1),
     moving: toggle("Moving light", "The light swings to and fro; relaxed splits follow it.", false),
-    size: choice("Map size", "Texels along each side of the shadow map.", numbered(256, 512, 1024, 2048), 512),
+    size: choice("Map size", "Texels along each side of the shadow map; half as many for each face of a point light.",
+                 numbered(256, 512, 1024, 2048), 512),
     kernel: choice("Blur", "Weights of the blur, which both sides and the exact answer share.",
                    [["binomial", "Binomial"], ["gaussian", "Gaussian"], ["box", "Box"]], "binomial"),
     taps: choice("Blur width", "Texels in each direction; 1 leaves the map as it was drawn.",

@@ -9,46 +9,14 @@
 //   judge       the rest: float visibility(...), see MAP
 //   stored      mean and spread of the stored depths, for the views: vec2 stored(MAP map, lvsm_MapPoint at, float depth)
 import {depthErrorOf} from "./formats.js";
+import {FLOORED, floorOf, REDUCED, SHIFT, SHIFTED} from "./constants.js";
+import {LAYERED_TECHNIQUES} from "./layered.js";
 
 // What visibility is called with. ESM alone reads the unblurred map too.
 export const SIGNATURE = "float visibility(MAP map, lvsm_MapPoint at, float depth, vec2 gradient)";
 export const ESM_SIGNATURE = "float visibility(MAP map, MAP unfiltered, lvsm_MapPoint at, float depth, vec2 gradient)";
 
-// recommendedMinVariance of three roundings, storing and two passes of a blur, and a hundredth of light; 6e-8 covers a
-// compiler without `precise`.
-function floorOf(format) {
-    return Math.max(99 * (3 * depthErrorOf(format)) ** 2, 6e-8);
-}
-
-const floorOfLayer = (side) => floorOf(side.format) / side.layers ** 2;
-
-const LAYERED = [
-    ["int", "layerCount", (side) => side.layers],
-    ["splits", "splits", (side, frame) => frame.splits],
-];
-const SHIFTED = [["float", "shift", (side) => side.shift]];
-const REDUCED = [["float", "amount", (side) => side.reduction]];
-const FLOORED = [["float", "minVariance", (side) => side.minVariance]];
-
-const depthOfLayer = (moments) => `
-    int layer = lvsm_layerIndex(depth, splits, layerCount);
-    vec2 moments = ${moments};
-    float extent = splits[layer + 1] - splits[layer];
-    return vec2(splits[layer] + extent * moments.x, extent * sqrt(lvsm_variance(moments, 0.0)));`;
-
 const STORED_DEPTH = "vec4 store(float depth, int slice)\n{\n    return vec4(depth, depth, depth, depth);\n}\n";
-
-const STORED_LAYERS = `vec4 store(float depth, int slice)
-{
-    vec2 even = lvsm_layerMoments(depth, vec2(splits[2 * slice], splits[2 * slice + 1]));
-    vec2 odd = lvsm_layerMoments(depth, vec2(splits[2 * slice + 1], splits[2 * slice + 2]));
-    return compact ? lvsm_packLayers(lvsm_compactMoments(even), lvsm_compactMoments(odd)) : lvsm_packLayers(even, odd);
-}
-`;
-const COMPACT = [["bool", "compact", (side) => side.format === "unorm8"]];
-const STORED_PAIR = depthOfLayer("lvsm_unpackLayer(lvsm_sampleLayerPair(map, at, layer / 2, compact), layer)");
-
-const layerSettings = {layers: 4, placement: "optimal"};
 
 export const TECHNIQUES = {
     basic: {
@@ -84,7 +52,7 @@ export const TECHNIQUES = {
         line: "Variance: the bound from two moments. Soft and cheap, but light bleeds where shadows overlap.",
         source: "Donnelly & Lauritzen 2006",
         formats: ["unorm16", "fp16", "fp32"], channels: 2, filtered: true,
-        settings: {minVariance: (side) => floorOf(side.format), reduction: 0, shift: 0},
+        settings: {minVariance: (side) => floorOf(side.format), reduction: 0, shift: SHIFT},
         constants: [...FLOORED, ...REDUCED, ...SHIFTED],
         store: "vec4 store(float depth, int slice)\n{\n    return vec4(lvsm_depthMoments(depth), 0.0, 0.0);\n}\n",
         judge: `
@@ -94,70 +62,14 @@ export const TECHNIQUES = {
     vec2 moments = lvsm_sampleSlice(map, at, 0, vec4(1.0, 1.0, 1.0, 1.0)).xy;
     return vec2(moments.x, sqrt(lvsm_variance(moments, 0.0)));`,
     },
-    lvsm: {
-        name: "LVSM",
-        line: "Layered variance, as in the paper: the depths cut into layers, and a receiver reads the one it lies in.",
-        source: "Lauritzen & McCool 2008",
-        formats: ["unorm16", "fp16", "fp32"], channels: 4, filtered: true, layered: true,
-        settings: {...layerSettings, placement: "relaxed", overlap: 0.02, transition: 0.01, minVariance: floorOfLayer,
-                   reduction: 0, shift: 0},
-        slices: (side) => side.layers / 2,
-        constants: [...LAYERED, ["float", "overlap", (side) => side.overlap],
-                    ["float", "transition", (side) => Math.min(side.transition, side.overlap)], ...FLOORED, ...REDUCED,
-                    ...SHIFTED],
-        store: `vec2 layerMoments(float depth, int layer)
-{
-    return lvsm_layerMoments(depth, lvsm_layerInterval(splits[layer], splits[layer + 1], overlap));
-}
-
-vec4 store(float depth, int slice)
-{
-    return lvsm_packLayers(layerMoments(depth, 2 * slice), layerMoments(depth, 2 * slice + 1));
-}
-`,
-        judge: `
-    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    float bound = lvsm_sampleLayers(map, at, receiver, splits, layerCount, overlap, transition, minVariance);
-    return lvsm_reduceLightBleeding(bound, amount);`,
-        stored: depthOfLayer("lvsm_unpackLayer(lvsm_sampleSlice(map, at, layer / 2, vec4(1.0, 1.0, 1.0, 1.0)), layer)"),
-    },
-    bracketed: {
-        name: "LVSM, bracketed",
-        line: "The same layers without overlap; the neighbours tell what lies in front and behind. Begin with this one.",
-        source: "this library, bracket",
-        formats: ["unorm16", "fp16", "unorm8", "fp32"], channels: 4, filtered: true, layered: true,
-        settings: {...layerSettings, minVariance: floorOfLayer, reduction: 0, shift: 0},
-        slices: (side) => side.layers / 2,
-        constants: [...LAYERED, ...COMPACT, ...FLOORED, ...REDUCED, ...SHIFTED],
-        store: STORED_LAYERS,
-        judge: `
-    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    float bound = lvsm_sampleBracketed(map, at, receiver, splits, layerCount, compact, minVariance);
-    return lvsm_reduceLightBleeding(bound, amount);`,
-        stored: STORED_PAIR,
-    },
-    plane: {
-        name: "LVSM, relative to the plane",
-        line: "Bracketed layers judged relative to the receiver's plane: the least error of one filtered map.",
-        source: "this library, plane",
-        formats: ["unorm8", "unorm16", "fp16", "fp32"], channels: 4, filtered: true, layered: true,
-        settings: {...layerSettings, layers: 8, minVariance: floorOfLayer, contact: 0.15, shift: 0},
-        slices: (side) => side.layers / 2,
-        constants: [...LAYERED, ...COMPACT, ["float", "deviation", (side, frame) => frame.kernel.deviation], ...FLOORED,
-                    ["float", "amount", (side) => side.contact], ...SHIFTED],
-        store: STORED_LAYERS,
-        judge: `
-    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    return lvsm_samplePlane(map, at, receiver, gradient, splits, layerCount, compact, deviation, minVariance, amount);`,
-        stored: STORED_PAIR,
-    },
+    ...LAYERED_TECHNIQUES,
     evsm2: {
         name: "EVSM2",
         line: "Variance of an exponential warp: little bleeding, but occluders at different depths leak at contact.",
         source: "Lauritzen & McCool 2008, section 7",
         formats: ["fp32", "fp16"], channels: 2, filtered: true,
         settings: {exponent: (side) => (side.format === "fp16" ? 5.54 : 42), minVariance: (side) => floorOf(side.format),
-                   reduction: 0, shift: 0},
+                   reduction: 0, shift: SHIFT},
         constants: [["float", "exponent", (side) => side.exponent], ...FLOORED, ...REDUCED, ...SHIFTED],
         store: `vec4 store(float depth, int slice)
 {
@@ -179,7 +91,7 @@ vec4 store(float depth, int slice)
         formats: ["fp32", "fp16"], channels: 4, filtered: true,
         settings: {exponent: (side) => (side.format === "fp16" ? 5.54 : 42),
                    negative: (side) => (side.format === "fp16" ? 5.54 : 10),
-                   minVariance: (side) => floorOf(side.format), reduction: 0, shift: 0},
+                   minVariance: (side) => floorOf(side.format), reduction: 0, shift: SHIFT},
         constants: [["vec2", "exponents", (side) => [side.exponent, side.negative]], ...FLOORED, ...REDUCED, ...SHIFTED],
         store: "vec4 store(float depth, int slice)\n{\n    return lvsm_exponentialMoments(depth, exponents);\n}\n",
         judge: `
@@ -195,7 +107,7 @@ vec4 store(float depth, int slice)
         line: "One exponential term: dark contact leaks, and where its test fails, four unblurred texels judge.",
         source: "Annen et al. 2008",
         formats: ["fp32", "fp16"], channels: 1, filtered: true, unfiltered: true,
-        settings: {term: (side) => (side.format === "fp16" ? 11 : 80), threshold: 0.02, shift: 0},
+        settings: {term: (side) => (side.format === "fp16" ? 11 : 80), threshold: 0.02, shift: SHIFT},
         constants: [["float", "exponent", (side) => side.term], ["float", "threshold", (side) => side.threshold],
                     ...SHIFTED],
         store: `vec4 store(float depth, int slice)
@@ -214,7 +126,7 @@ vec4 store(float depth, int slice)
         line: "Moment shadow map: the bound from four moments, the best that one filtered texel of 64 bits gives.",
         source: "Peters & Klein 2015",
         formats: ["unorm16", "fp32"], channels: 4, filtered: true,
-        settings: {momentBias: (side) => (side.format === "unorm16" ? 6e-5 : 3e-7), reduction: 0, shift: 0},
+        settings: {momentBias: (side) => (side.format === "unorm16" ? 6e-5 : 3e-7), reduction: 0, shift: SHIFT},
         constants: [["bool", "encoded", (side) => side.format === "unorm16"], ["float", "bias", (side) => side.momentBias],
                     ...REDUCED, ...SHIFTED],
         store: `vec4 store(float depth, int slice)
@@ -236,7 +148,7 @@ vec4 store(float depth, int slice)
         source: "this library, trigonometric",
         formats: ["unorm16", "fp32"], channels: 4, filtered: true,
         // recommendedTrigonometricBias of three roundings.
-        settings: {momentBias: (side) => 5.14974 * 3 * depthErrorOf(side.format), reduction: 0, shift: 0},
+        settings: {momentBias: (side) => 5.14974 * 3 * depthErrorOf(side.format), reduction: 0, shift: SHIFT},
         constants: [["float", "bias", (side) => side.momentBias], ...REDUCED, ...SHIFTED],
         store: "vec4 store(float depth, int slice)\n{\n    return lvsm_trigonometricMoments(depth);\n}\n",
         judge: `
@@ -253,7 +165,7 @@ vec4 store(float depth, int slice)
         line: "Convolution: the depth test as a Fourier series in 8-bit terms. Never sharp, and it rings.",
         source: "Annen et al. 2007",
         formats: ["unorm8", "unorm16", "fp16"], channels: 4, filtered: true,
-        settings: {order: 8, strength: 1, contactScale: true, shift: 0},
+        settings: {order: 8, strength: 1, contactScale: true, shift: SHIFT},
         slices: (side) => side.order / 2,
         constants: [["int", "order", (side) => side.order], ["float", "strength", (side) => side.strength],
                     ["float", "offset", (side) => (side.contactScale ? 0 : 0.5 / side.order)],

@@ -28,13 +28,16 @@ export class Timer {
 
     // Draws, and gives what that gives.
     measured(name, draw) {
-        this.drawn.add(name);
-        if (!this.extension || this.#pending.length > 60)
+        // Queries do not nest: a pass within another counts to that.
+        if (!this.extension || this.isMeasuring || this.#pending.length > 60)
             return draw();
+        this.drawn.add(name);
+        this.isMeasuring = true;
         const query = this.gl.createQuery();
         this.gl.beginQuery(this.extension.TIME_ELAPSED_EXT, query);
         const result = draw();
         this.gl.endQuery(this.extension.TIME_ELAPSED_EXT);
+        this.isMeasuring = false;
         this.#pending.push({name, query});
         return result;
     }
