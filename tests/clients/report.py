@@ -24,6 +24,8 @@ CLIENTS = {
     "naga": ("compute shader of 4.50, by naga", "`#define LVSM_PRECISE`, which naga does not know, then `lvsm_all.glsl`"),
     "spirv_cross": ("SPIR-V of 4.50 and back, drawn by OpenGL ES; of all functions also HLSL, which dxc takes, and MSL, "
                     "which nothing here compiles", "nothing"),
+    "slang": ("HLSL to WGSL, run by wgpu; of all functions also SPIR-V, GLSL and Metal",
+              "`#include \"lvsm/lvsm.hlsli\"`; for WGSL `#define LVSM_PRECISE` before it, since Slang keeps `precise` there"),
     "panda3d": ("fragment shader of 3.30", "`#pragma include \"lvsm_all.glsl\"`"),
 }
 COLUMNS = ("client", "version", "functions", "inputs", "worst_function", "worst_error", "tolerance")

@@ -1,7 +1,8 @@
 // lvsm_client_rows: the rows of tests/parity, a few thousand inputs each, as files for a client to run and to be judged.
 //   lvsm_client_rows write FOLDER                 writes FOLDER/FUNCTION.inputs, 24 words an input, and FOLDER/rows.json
-//                                                 with the shaders of each: `kernel`, for fragments, and `wgsl`, to put
-//                                                 after the library; `compute`, of GLSL, to put it after the first line
+//                                                 with the shaders of each: `kernel`, for fragments, `hlsl` and
+//                                                 `wgsl`, to put after the library; `compute`, of GLSL, to put it after
+//                                                 the first line
 //   lvsm_client_rows judge FOLDER CLIENT REPORT ORDER
 //                                                 reads FOLDER/FUNCTION.results, as many numbers an input as its result
 //                                                 has, and FOLDER/version, what the client says of itself
@@ -46,6 +47,7 @@ int write(const std::string& folder)
                         {"numbers", componentCount(row.kind)},
                         {"kernel", glslFragmentKernel(row)},
                         {"compute", glslKernel(row, "")},
+                        {"hlsl", hlslKernel(row, "")},
                         {"wgsl", wgslKernel(row, "")}});
     }
     std::ofstream(folder + "/rows.json") << list.dump(1) << '\n';

@@ -27,8 +27,8 @@ def add(name, packages):
                 partial = cache / "partial"
                 shutil.rmtree(partial, ignore_errors=True)
                 subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--disable-pip-version-check", "--no-deps",
-                                "--only-binary", ":all:", "--root-user-action", "ignore", "--target", partial, *packages],
-                               check=True, stdout=sys.stderr)
+                                "--only-binary", ":all:", "--target", partial, *packages],
+                               check=True, stdout=sys.stderr, env={**os.environ, "PIP_ROOT_USER_ACTION": "ignore"})
                 partial.rename(folder)
     except (OSError, subprocess.SubprocessError) as error:
         skip(f"cannot get {name}: {error}")
