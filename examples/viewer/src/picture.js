@@ -22,7 +22,7 @@ const MAX_TAPS = 17;
 const BLOCK = 8;
 const PLACEMENT_SIZE = 256;
 const VIEWS = ["shaded", "visibility", "error", "layers", "mean", "spread"];
-const DEPTHS = {type: THREE.FloatType, format: THREE.RedFormat, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter};
+const DEPTHS = {type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter};
 const JUDGED = {type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter};
 
 export class Picture {
@@ -79,10 +79,10 @@ export class Picture {
     }
 
     // A texture of depths for each face of the light.
-    drawDepths(name, size) {
+    drawDepths(name, size, format = THREE.RedFormat) {
         const material = this.passes.material(depthFragment, this.shared, {isScene: true});
         return this.light.cameras.map((camera, face) => {
-            const target = this.passes.target(`${name}.${face}`, {width: size, height: size, ...DEPTHS});
+            const target = this.passes.target(`${name}.${face}`, {width: size, height: size, ...DEPTHS, format});
             this.clear(target, 1, 1, 1, 1, true);
             this.passes.drawScene(target, material, this.scene, camera);
             return target;
@@ -94,7 +94,8 @@ export class Picture {
         const faces = this.light.cameras.length;
         const size = faces > 1 ? PLACEMENT_SIZE / 2 : PLACEMENT_SIZE;
         const depths = new Float32Array(faces * size * size);
-        this.drawDepths("placement", size).forEach((target, face) => {
+        // Every device reads back four components, and not every one a single one.
+        this.drawDepths("placement", size, THREE.RGBAFormat).forEach((target, face) => {
             const read = this.passes.read(target, size, size);
             depths.set(read.filter((_, index) => index % 4 === 0), face * size * size);
         });
