@@ -32,7 +32,7 @@ float total(lvsm_MixtureComponent c)
 }
 float total(lvsm_MixturePlane p)
 {
-    return p.weight + total(p.place) + p.depth + total(p.slope) + total(p.range) + total(p.spread) + p.deviation;
+    return p.weight + total(p.place) + p.depth + total(p.slope) + p.deviation;
 }
 float total(lvsm_Mixture m)
 {
@@ -44,7 +44,7 @@ lvsm_MixtureComponent componentOf(float x)
 }
 lvsm_MixturePlane planeOf(float x)
 {
-    return lvsm_MixturePlane(x, vec2(x), x, vec2(x), vec2(x), vec3(x), x);
+    return lvsm_MixturePlane(x, vec2(x), x, vec2(x), x);
 }
 lvsm_MixturePlanes planesOf(float x)
 {

@@ -14,6 +14,7 @@ VECTOR = re.compile(r"([iu]?)vec([234])")
 LIKE_FIRST = {"abs", "ceil", "clamp", "cos", "exp", "exp2", "floor", "inversesqrt", "log", "log2", "max", "min", "mix", "sign",
               "sin", "sqrt"}
 FLOATS = {"dot", "length"}
+BITS = {"uintBitsToFloat": ("bitcast<f32>", "float"), "floatBitsToUint": ("bitcast<u32>", "uint")}
 OTHER_NAMES = {"inversesqrt": "inverseSqrt"}
 # From the loosest on.
 OPERATORS = [["||"], ["&&"], ["|"], ["^"], ["&"], ["==", "!="], ["<", ">", "<=", ">="], ["<<", ">>"], ["+", "-"],
@@ -28,7 +29,7 @@ resource return self set shared sizeof smooth static std struct super switch tar
 type typedef union unless unsafe use using var virtual where while with writeonly yield""".split())
 
 TOKEN = re.compile(r"(?P<space>[ \t]+)|(?P<line>\n)|(?P<comment>//[^\n]*)|(?P<directive>#[^\n]*)|"
-                   r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?u?|0x[0-9a-fA-F]+u?)|(?P<word>[A-Za-z_]\w*)|"
+                   r"(?P<number>0x[0-9a-fA-F]+u?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?u?)|(?P<word>[A-Za-z_]\w*)|"
                    r"(?P<sign><<=|>>=|<<|>>|<=|>=|==|!=|&&|\|\||\+\+|--|[-+*/%&|^]=|[-+*/%<>=!&|^~?:;,.(){}\[\]])")
 
 
@@ -264,6 +265,8 @@ class Reader:
             return Expression(f"{name}({text})", self.known.functions[name][0])
         if name in SCALARS or is_vector(name) or name in self.known.structs:
             return Expression(f"{wgsl_type(name)}({text})", name)
+        if name in BITS:
+            return Expression(f"{BITS[name][0]}({text})", BITS[name][1])
         if name not in LIKE_FIRST | FLOATS or not arguments:
             self.fault(f"the function {name} is not known")
         type_ = arguments[0].type

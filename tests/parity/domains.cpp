@@ -421,24 +421,19 @@ const std::map<std::string, Domain>& allDomains()
         // 9, 10 gradient.
         {"codes",
          {{bits(), bits(), bits(), bits(), {{0.0, 0.5, -1.0, 30.0}, -1.0, 1.0}, {{0.0, -0.5, 1.0}, -1.0, 1.0},
-           difference(), {{0.0, 0.00195503, 2.0, -1.0}, 0.0, 0.01}, filterWidth(), slope(), slope()},
+           difference(), {{0.0, 0.001953125, 2.0, -1.0}, 0.0, 0.01}, filterWidth(), slope(), slope()},
           [](double* words) {
               const auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(words[0]));
-              words[6] += static_cast<double>(code & 1023u) / 1023.0;
+              words[6] += static_cast<double>(code) / 4294967296.0;
           }}},
-        // 0 to 11 plane; 12, 13 offset; 14 deviation of the filter; 15 a receiver near the plane or anywhere; 16, 17
-        // gradient; 18 bias.
+        // 0 to 6 plane; 7, 8 offset; 9 deviation of the filter; 10 a receiver near the plane or anywhere; 11, 12 gradient;
+        // 13 bias.
         {"planesOfMixtures",
-         {{share(), place(), place(), depth(), slope(), slope(), {{0.0, 1.0e-3}, 0.0, 0.01}, {{0.0, 1.0}, 0.0, 0.01},
-           extent(), correlation(), extent(), {{0.0, 1.0, kSubnormal, -1.0}, 1.0e-5, 0.1, Scale::Logarithmic},
+         {{share(), place(), place(), depth(), slope(), slope(),
+           {{0.0, 1.0, kSubnormal, -1.0}, 1.0e-5, 0.1, Scale::Logarithmic},
            {{0.0, 0.5, -1.0, 30.0}, -1.0, 1.0}, {{0.0, -0.5, 1.0}, -1.0, 1.0}, filterWidth(), difference(), slope(),
-           slope(), {{0.0, 0.00195503, 2.0, -1.0}, 0.0, 0.01}},
-          [](double* words) {
-              words[9] *= words[8] * words[10];
-              words[8] *= words[8];
-              words[10] *= words[10];
-              words[15] += words[3];
-          }}},
+           slope(), {{0.0, 0.001953125, 2.0, -1.0}, 0.0, 0.01}},
+          [](double* words) { words[10] += words[3]; }}},
     };
     return all;
 }

@@ -148,9 +148,7 @@ lvsm_MixturePlane planeAt(uint word)
     p.place = V2(1);
     p.depth = A(3);
     p.slope = V2(4);
-    p.range = V2(6);
-    p.spread = V3(8);
-    p.deviation = A(11);
+    p.deviation = A(6);
     return p;
 }
 
@@ -207,12 +205,7 @@ void keepPlane(uint at, lvsm_MixturePlane p)
     outputs[at + 3u] = p.depth;
     outputs[at + 4u] = p.slope.x;
     outputs[at + 5u] = p.slope.y;
-    outputs[at + 6u] = p.range.x;
-    outputs[at + 7u] = p.range.y;
-    outputs[at + 8u] = p.spread.x;
-    outputs[at + 9u] = p.spread.y;
-    outputs[at + 10u] = p.spread.z;
-    outputs[at + 11u] = p.deviation;
+    outputs[at + 6u] = p.deviation;
 }
 
 #define TAP(i) tapAt(word + uint(i))
@@ -224,7 +217,7 @@ void keepPlane(uint at, lvsm_MixturePlane p)
 #define KEEP_Plane(call) keepPlane(result, call);
 #define KEEP_Planes(call) lvsm_MixturePlanes r = call; \
     for (int c = 0; c < LVSM_MAX_COMPONENTS; ++c) \
-        keepPlane(result + 12u * uint(c), r.planes[c]);
+        keepPlane(result + 7u * uint(c), r.planes[c]);
 #define KEEP_Mixture(call) lvsm_Mixture r = call; \
     for (int c = 0; c < LVSM_MAX_COMPONENTS; ++c) \
         keepComponent(result + 10u * uint(c), r.components[c]);
@@ -260,8 +253,8 @@ const char* const kCommonMacros = R"(
 int componentCount(const std::string& kind)
 {
     static const std::map<std::string, int> counts = {
-        {"Float", 1},    {"Int", 1},       {"Vec2", 2},        {"IVec2", 2},  {"Vec4", 4},
-        {"UVec2", 4},    {"UVec4", 8},     {"Component", 10},  {"Plane", 12}, {"Planes", 48},
+        {"Float", 1},    {"Int", 1},       {"Vec2", 2},        {"IVec2", 2}, {"Vec4", 4},
+        {"UVec2", 4},    {"UVec4", 8},     {"Component", 10},  {"Plane", 7}, {"Planes", 28},
         {"Mixture", 40}, {"Inserted", 40}, {"Splits", kSplits}};
     return counts.at(kind);
 }

@@ -38,7 +38,7 @@ fn TAP(i: u32) -> lvsm_MixtureComponent
 
 fn PLANE(i: u32) -> lvsm_MixturePlane
 {
-    return lvsm_MixturePlane(A(i), V2(i + 1), A(i + 3), V2(i + 4), V2(i + 6), V3(i + 8), A(i + 11));
+    return lvsm_MixturePlane(A(i), V2(i + 1), A(i + 3), V2(i + 4), A(i + 6));
 }
 
 fn MIXTURE2(i: u32) -> lvsm_Mixture
@@ -93,8 +93,6 @@ fn keepPlane(p: lvsm_MixturePlane)
     keepVec2(p.place);
     put(p.depth);
     keepVec2(p.slope);
-    keepVec2(p.range);
-    keepVec3(p.spread);
     put(p.deviation);
 }
 

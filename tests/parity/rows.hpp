@@ -14,8 +14,8 @@ namespace parity
 
 constexpr int kMaxLayers = 8;
 constexpr int kSplits = kMaxLayers + 1;
-// Most numbers that a result has: those of four planes.
-constexpr int kResults = 48;
+// Most numbers that a result has: those of four components.
+constexpr int kResults = 40;
 
 template <typename T>
 using Result = std::array<T, kResults>;

@@ -60,8 +60,7 @@ public:
 
     lvsm::MixturePlane<T> plane(int word) const
     {
-        return {real(word),    two(word + 1),   real(word + 3), two(word + 4),
-                two(word + 6), three(word + 8), real(word + 11)};
+        return {real(word), two(word + 1), real(word + 3), two(word + 4), real(word + 6)};
     }
 
     lvsm::Mixture<T> twoComponents(int word) const
@@ -142,7 +141,7 @@ public:
 
     Writer& operator<<(const lvsm::MixturePlane<T>& p)
     {
-        return *this << p.weight << p.place << p.depth << p.slope << p.range << p.spread << p.deviation;
+        return *this << p.weight << p.place << p.depth << p.slope << p.deviation;
     }
 
 private:
