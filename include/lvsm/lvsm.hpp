@@ -26,7 +26,7 @@
 //
 // Topics: depth, moments, layers, bracket, plane, moments4, quantised, trigonometric, exponential, placement, receiver,
 // esm, convolution, pcf, filter, components, mixture; on the host also lloyd, optimal, passes, passes_depth,
-// passes_fused, passes_mip, passes_mixture and passes_place. A whole use, in each language:
+// passes_fused, passes_mip, passes_mixture, passes_place and passes_step. A whole use, in each language:
 //
 // C++
 //
@@ -95,6 +95,7 @@
 #include "passes_mip.hpp"
 #include "passes_mixture.hpp"
 #include "passes_place.hpp"
+#include "passes_step.hpp"
 #include "pcf.hpp"
 #include "placement.hpp"
 #include "plane.hpp"

@@ -20,6 +20,8 @@ BLOCKS = [("BlurBlock", "lvsm_Blur", "blur.comp", "blur.hlsl", "lvsm_blurCompute
           ("FusedBlock", "lvsm_Fused", "fused.comp", "fused.hlsl", "lvsm_fusedCompute", {}),
           ("MipBlock", "lvsm_Mip", "mip.comp", "mip.hlsl", "lvsm_mipCompute", {}),
           ("MixingBlock", "lvsm_Mixing", "mixture.comp", "mixture.hlsl", "lvsm_mixtureCompute", {}),
+          ("StepBlock", "lvsm_Step", "step_sums.frag", "step.hlsl", "lvsm_stepSumsPixel", {}),
+          ("StepBlock", "lvsm_Step", "step_move.frag", "step.hlsl", "lvsm_stepMovePixel", {}),
           ("DepthBlock", "lvsm_Depths", "store.comp", "store.hlsl", "lvsm_storeCompute",
            {"glsl": "LVSM_DEPTH_SOURCE=layout(binding=4,std140)", "hlsl": "LVSM_DEPTH_SOURCE=b4"})]
 
@@ -55,11 +57,12 @@ def offsets(disassembly, block):
 
 def commands(options, glsl, hlsl, entry, macros):
     passes = ROOT / "glsl/lvsm/passes", ROOT / "hlsl/lvsm/passes"
+    stage = glsl.rsplit(".", 1)[1]
     define = [f"-D{macros[language]}" if macros else "-DUNUSED=1" for language in ("glsl", "hlsl")]
     yield "GLSL", [options.glslang, "-V", "--target-env", "vulkan1.1", define[0], passes[0] / glsl, "-o"]
     yield "HLSL, glslang", [options.glslang, "-D", "-V", "--target-env", "vulkan1.1", "--hlsl-offsets", define[1], "-e",
-                            entry, "-S", "comp", passes[1] / hlsl, "-o"]
-    yield "HLSL, dxc", [options.dxc, "-T", "cs_6_0", "-E", entry, "-spirv", "-fspv-target-env=vulkan1.1", define[1],
+                            entry, "-S", stage, passes[1] / hlsl, "-o"]
+    yield "HLSL, dxc", [options.dxc, "-T", {"comp": "cs_6_0", "frag": "ps_6_0"}[stage], "-E", entry, "-spirv", "-fspv-target-env=vulkan1.1", define[1],
                         passes[1] / hlsl, "-Fo"]
 
 

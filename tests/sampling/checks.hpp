@@ -69,6 +69,7 @@ bool checkMixtureWrappers(VulkanContext& context, const Form& form);
 bool checkFused(VulkanContext& context, const Form& form);
 bool checkStoreExamples(VulkanContext& context, const Form& form);
 bool checkLevels(VulkanContext& context, const Form& form);
+bool checkSteps(VulkanContext& context, const Form& form);
 bool checkPlacing(VulkanContext& context, const Form& form);
 
 } // namespace sampling

@@ -75,6 +75,7 @@ const std::map<std::string, Check> kChecks = {{"wrappers", sampling::checkWrappe
                                               {"store", sampling::checkStore},
                                               {"place", sampling::checkPlacing},
                                               {"levels", sampling::checkLevels},
+                                              {"steps", sampling::checkSteps},
                                               {"depths", sampling::checkDepths},
                                               {"mixtures", sampling::checkMixtures},
                                               {"mixture_windows", sampling::checkMixtureWindows},

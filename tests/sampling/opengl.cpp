@@ -1,20 +1,13 @@
 // lvsm_opengl: runs the one-file passes and wrappers as an OpenGL program has them, and compares with the library's C++
-// functions. Of a pass, the first line is changed to the #version of the context, with what ES asks a user to write and
-// the pass's macros behind it; nothing else.
+// functions.
+#include "opengl.hpp"
 #include "passes_truth.hpp"
 #include "wrappers_truth.hpp"
-
-#include <gl_context.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <map>
-#include <sstream>
-
-#define GL_GLEXT_PROTOTYPES
-#include <GL/glcorearb.h>
 
 namespace
 {
@@ -28,45 +21,6 @@ constexpr int kSubTexelBits = 8;
 
 const std::map<std::string, GlApi> kApis = {
     {"core_4.5", GlApi::Core45}, {"es_3.1", GlApi::Es31}, {"es_3.0", GlApi::Es30}};
-
-struct Options
-{
-    GlApi api = GlApi::Core45;
-    std::string single;
-    std::string kernels;
-};
-
-std::string readFile(const std::string& path)
-{
-    std::ifstream stream(path);
-    if (!stream)
-        throw std::runtime_error("cannot read " + path);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-std::string head(GlApi api)
-{
-    if (api == GlApi::Core45)
-        return "#version 450\n";
-    return std::string(api == GlApi::Es31 ? "#version 310 es\n" : "#version 300 es\n") +
-           "precision highp float;\nprecision highp int;\n";
-}
-
-std::string passText(const Options& options, const std::string& file, const std::string& macros)
-{
-    const std::string text = readFile(options.single + '/' + file);
-    return head(options.api) + macros + text.substr(text.find('\n') + 1);
-}
-
-GLuint program(const std::vector<std::pair<unsigned, std::string>>& stages, const std::string& what)
-{
-    const auto made = makeGlProgram(stages);
-    if (!made)
-        throw std::runtime_error(what + ": " + made.error());
-    return *made;
-}
 
 // One of the passes as a program that has its block at binding 2.
 GLuint passProgram(const Options& options, const std::string& name, bool compute, const std::string& macros)
@@ -201,6 +155,8 @@ bool check(const Options& options, const std::string& what)
     glBindVertexArray(vertices);
     if (what == "wrappers")
         return checkWrappersOf(options);
+    if (what == "steps")
+        return checkGlSteps(options);
     const bool fragment = checkBlurs(options, false) & checkStores(options, false);
     return options.api == GlApi::Es30 ? fragment : fragment & checkBlurs(options, true) & checkStores(options, true);
 }
@@ -213,7 +169,9 @@ int main(int argc, char** argv)
     std::string what;
     std::string api;
     CLI::App app("Runs the one-file passes and wrappers by OpenGL, and compares with the library's C++ functions.");
-    app.add_option("what", what, "wrappers or passes")->required()->check(CLI::IsMember({"wrappers", "passes"}));
+    app.add_option("what", what, "wrappers, passes or steps")
+        ->required()
+        ->check(CLI::IsMember({"wrappers", "passes", "steps"}));
     app.add_option("api", api, "of OpenGL")->required()->check(CLI::IsMember(kApis));
     app.add_option("--single", options.single, "folder of the one-file versions")->required();
     app.add_option("--kernels", options.kernels, "folder of the shaders that call the wrappers")->required();
