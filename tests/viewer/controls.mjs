@@ -32,9 +32,9 @@ const cases = {
     },
 
     "a side shows what its technique takes, and nothing else": async (viewer) => {
-        assert.deepEqual(await namesIn(viewer, "left"), ["format", "minVariance", "reduction", "shift"]);
+        assert.deepEqual(await namesIn(viewer, "left"), ["format", "minVariance", "slope", "reduction", "shift"]);
         await viewer.tab.locator("#left").selectOption("evsm4");
-        assert.deepEqual(await namesIn(viewer, "left"), ["format", "exponent", "negative", "minVariance", "reduction", "shift"]);
+        assert.deepEqual(await namesIn(viewer, "left"), ["format", "exponent", "negative", "minVariance", "slope", "reduction", "shift"]);
         await viewer.tab.locator("#left").selectOption("exact");
         assert.deepEqual(await namesIn(viewer, "left"), []);
         assert.equal(await viewer.tab.locator("#copy-left-glsl").isDisabled(), true);

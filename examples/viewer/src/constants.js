@@ -12,5 +12,7 @@ export const SHIFT = 0.3;
 
 export const SHIFTED = [["float", "shift", (side) => side.shift]];
 export const REDUCED = [["float", "amount", (side) => side.reduction]];
-export const FLOORED = [["float", "minVariance", (side) => side.minVariance]];
+// With no deviation the floor is the same for every slope.
+export const FLOORED = [["float", "minVariance", (side) => side.minVariance],
+                        ["float", "deviation", (side, frame) => (side.slope ? frame.kernel.deviation : 0)]];
 

@@ -33,7 +33,7 @@ export const LAYERED_TECHNIQUES = {
         source: "Lauritzen & McCool 2008",
         formats: ["unorm16", "fp16", "fp32"], channels: 4, filtered: true, layered: true,
         settings: {...layerSettings, placement: "relaxed", overlap: 0.02, transition: 0.01, minVariance: floorOfLayer,
-                   reduction: 0, shift: SHIFT},
+                   slope: true, reduction: 0, shift: SHIFT},
         slices: (side) => side.layers / 2,
         constants: [...LAYERED, ["float", "overlap", (side) => side.overlap],
                     ["float", "transition", (side) => Math.min(side.transition, side.overlap)], ...FLOORED, ...REDUCED,
@@ -49,8 +49,9 @@ vec4 store(float depth, int slice)
 }
 `,
         judge: `
+    float least = lvsm_receiverMinVariance(minVariance, gradient, deviation);
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    float bound = lvsm_sampleLayers(map, at, receiver, splits, layerCount, overlap, transition, minVariance);
+    float bound = lvsm_sampleLayers(map, at, receiver, splits, layerCount, overlap, transition, least);
     return lvsm_reduceLightBleeding(bound, amount);`,
         stored: depthOfLayer("lvsm_unpackLayer(lvsm_sampleSlice(map, at, layer / 2, vec4(1.0, 1.0, 1.0, 1.0)), layer)",
                              "overlap"),
@@ -60,13 +61,14 @@ vec4 store(float depth, int slice)
         line: "The same layers without overlap; the neighbours tell what lies in front and behind. Begin with this one.",
         source: "this library, bracket",
         formats: ["unorm16", "fp16", "unorm8", "fp32"], channels: 4, filtered: true, layered: true,
-        settings: {...layerSettings, minVariance: floorOfLayer, reduction: 0, shift: SHIFT},
+        settings: {...layerSettings, minVariance: floorOfLayer, slope: true, reduction: 0, shift: SHIFT},
         slices: (side) => side.layers / 2,
         constants: [...LAYERED, ...COMPACT, ...FLOORED, ...REDUCED, ...SHIFTED],
         store: STORED_LAYERS,
         judge: `
+    float least = lvsm_receiverMinVariance(minVariance, gradient, deviation);
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    float bound = lvsm_sampleBracketed(map, at, receiver, splits, layerCount, compact, minVariance);
+    float bound = lvsm_sampleBracketed(map, at, receiver, splits, layerCount, compact, least);
     return lvsm_reduceLightBleeding(bound, amount);`,
         stored: STORED_PAIR,
     },
@@ -77,8 +79,8 @@ vec4 store(float depth, int slice)
         formats: ["unorm8", "unorm16", "fp16", "fp32"], channels: 4, filtered: true, layered: true,
         settings: {...layerSettings, layers: 8, minVariance: floorOfLayer, contact: 0.15, shift: SHIFT},
         slices: (side) => side.layers / 2,
-        constants: [...LAYERED, ...COMPACT, ["float", "deviation", (side, frame) => frame.kernel.deviation], ...FLOORED,
-                    ["float", "amount", (side) => side.contact], ...SHIFTED],
+        constants: [...LAYERED, ...COMPACT, ["float", "deviation", (side, frame) => frame.kernel.deviation],
+                    ["float", "minVariance", (side) => side.minVariance], ["float", "amount", (side) => side.contact], ...SHIFTED],
         store: STORED_LAYERS,
         judge: `
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);

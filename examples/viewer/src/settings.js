@@ -47,6 +47,7 @@ export const SIDE_SETTINGS = {
     overlap: range("Overlap", "How far layers reach into each other, in depth: hides the seam at a split.", 0, 0.1, 0.005),
     transition: range("Transition", "Where two layers are blended, in depth, within the overlap.", 0, 0.1, 0.005),
     minVariance: scale("Least variance", "Floor in depth squared: covers rounding; too much of it leaks light.", 1e-9, 1e-2),
+    slope: toggle("Slope in the floor", "Adds what the receiver's own plane varies by over the blur (receiverMinVariance).", true),
     reduction: range("Light bleeding reduction", "Visibility that counts as none: cuts bleeding and darkens penumbrae.",
                      0, 0.9, 0.01),
     contact: range("Contact reduction", "The same within the receiver's own layer; 0.15 suits meshes.", 0, 0.9, 0.01),

@@ -52,12 +52,13 @@ export const TECHNIQUES = {
         line: "Variance: the bound from two moments. Soft and cheap, but light bleeds where shadows overlap.",
         source: "Donnelly & Lauritzen 2006",
         formats: ["unorm16", "fp16", "fp32"], channels: 2, filtered: true,
-        settings: {minVariance: (side) => floorOf(side.format), reduction: 0, shift: SHIFT},
+        settings: {minVariance: (side) => floorOf(side.format), slope: true, reduction: 0, shift: SHIFT},
         constants: [...FLOORED, ...REDUCED, ...SHIFTED],
         store: "vec4 store(float depth, int slice)\n{\n    return vec4(lvsm_depthMoments(depth), 0.0, 0.0);\n}\n",
         judge: `
+    float least = lvsm_receiverMinVariance(minVariance, gradient, deviation);
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    return lvsm_reduceLightBleeding(lvsm_sampleVariance(map, at, receiver, minVariance), amount);`,
+    return lvsm_reduceLightBleeding(lvsm_sampleVariance(map, at, receiver, least), amount);`,
         stored: `
     vec2 moments = lvsm_sampleSlice(map, at, 0, vec4(1.0, 1.0, 1.0, 1.0)).xy;
     return vec2(moments.x, sqrt(lvsm_variance(moments, 0.0)));`,
@@ -69,7 +70,7 @@ export const TECHNIQUES = {
         source: "Lauritzen & McCool 2008, section 7",
         formats: ["fp32", "fp16"], channels: 2, filtered: true,
         settings: {exponent: (side) => (side.format === "fp16" ? 5.54 : 42), minVariance: (side) => floorOf(side.format),
-                   reduction: 0, shift: SHIFT},
+                   slope: true, reduction: 0, shift: SHIFT},
         constants: [["float", "exponent", (side) => side.exponent], ...FLOORED, ...REDUCED, ...SHIFTED],
         store: `vec4 store(float depth, int slice)
 {
@@ -77,8 +78,9 @@ export const TECHNIQUES = {
 }
 `,
         judge: `
+    float least = lvsm_receiverMinVariance(minVariance, gradient, deviation);
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    return lvsm_reduceLightBleeding(lvsm_sampleExponential2(map, at, receiver, exponent, minVariance), amount);`,
+    return lvsm_reduceLightBleeding(lvsm_sampleExponential2(map, at, receiver, exponent, least), amount);`,
         stored: `
     vec2 moments = lvsm_sampleSlice(map, at, 0, lvsm_exponentialMoments(1.0, vec2(exponent, 0.0))).xy;
     float spread = sqrt(lvsm_variance(moments, 0.0)) / (2.0 * exponent * moments.x);
@@ -91,12 +93,13 @@ export const TECHNIQUES = {
         formats: ["fp32", "fp16"], channels: 4, filtered: true,
         settings: {exponent: (side) => (side.format === "fp16" ? 5.54 : 42),
                    negative: (side) => (side.format === "fp16" ? 5.54 : 10),
-                   minVariance: (side) => floorOf(side.format), reduction: 0, shift: SHIFT},
+                   minVariance: (side) => floorOf(side.format), slope: true, reduction: 0, shift: SHIFT},
         constants: [["vec2", "exponents", (side) => [side.exponent, side.negative]], ...FLOORED, ...REDUCED, ...SHIFTED],
         store: "vec4 store(float depth, int slice)\n{\n    return lvsm_exponentialMoments(depth, exponents);\n}\n",
         judge: `
+    float least = lvsm_receiverMinVariance(minVariance, gradient, deviation);
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);
-    return lvsm_reduceLightBleeding(lvsm_sampleExponential4(map, at, receiver, exponents, minVariance), amount);`,
+    return lvsm_reduceLightBleeding(lvsm_sampleExponential4(map, at, receiver, exponents, least), amount);`,
         stored: `
     vec2 moments = lvsm_sampleSlice(map, at, 0, lvsm_exponentialMoments(1.0, exponents)).xy;
     float spread = sqrt(lvsm_variance(moments, 0.0)) / (2.0 * exponents.x * moments.x);
