@@ -1,4 +1,4 @@
-"""What docs/mixtures.md shows, from the recorded output of lvsm_mixture_windows and lvsm_mixture_figures."""
+"""What docs/mixtures.md shows, from the recorded output of lvsm_mixture_windows."""
 import pathlib
 import sys
 
@@ -9,7 +9,4 @@ spec = importlib.util.spec_from_file_location("mixtures_recorded", pathlib.Path(
 mixtures = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(mixtures)
 
-TABLES = {"mixtures.windows": lambda: mixtures.tables("windows.txt")[0],
-          "mixtures.width7": lambda: mixtures.tables("figures.txt")[0],
-          "mixtures.width15": lambda: mixtures.tables("figures.txt")[1]}
-NAMES = {"mixture_rmse": mixtures.rmse}
+TABLES = {"mixtures.windows": lambda: mixtures.tables("windows.txt")[0]}

@@ -1,59 +1,55 @@
 #include "mixture_map.hpp"
 
-#include <lvsm/receiver.hpp>
-
 #include <cmath>
 
 namespace lvsm::mixtures
 {
-namespace
-{
 
-std::size_t at(int x, int y, int size)
-{
-    const int last = size - 1;
-    return static_cast<std::size_t>(detail::clamp(y, 0, last)) * static_cast<std::size_t>(size) +
-           static_cast<std::size_t>(detail::clamp(x, 0, last));
-}
-
-} // namespace
-
-MixtureMap::MixtureMap(const DepthAt& depth, int size, int rounds, int count, bool isHalf)
-    : m_texel(isHalf ? 2 : 1), m_size(size / m_texel), m_count(count)
+MixtureMap::MixtureMap(const DepthAt& depth, int size, const MixturePlan& plan)
+    : m_count(plan.count), m_size(size), m_texel(1)
 {
     for (int y = 0; y < m_size; ++y)
     {
         for (int x = 0; x < m_size; ++x)
         {
-            Mixture<float> texel{};
-            if (isHalf)
-                texel = mixtureOfTaps(glm::vec4(depth(2 * x, 2 * y), depth(2 * x + 1, 2 * y), depth(2 * x, 2 * y + 1),
-                                                depth(2 * x + 1, 2 * y + 1)),
-                                      glm::vec4(-0.5f, 0.5f, -0.5f, 0.5f), glm::vec4(-0.5f, -0.5f, 0.5f, 0.5f), count);
-            else
-                texel.components[0] = tapComponent(depth(x, y));
-            m_mixtures.push_back(texel);
+            m_mixtures.emplace_back();
+            m_mixtures.back().components[0] = tapComponent(depth(x, y));
         }
     }
-    for (int round = 0; round < rounds; ++round)
+    float variance = 0.0f;
+    for (int level = 0; level <= plan.level; ++level)
     {
-        step(1 << round, true);
-        step(1 << round, false);
+        if (level > 0)
+        {
+            variance += 0.25f * static_cast<float>(m_texel * m_texel);
+            halve();
+        }
+        for (std::size_t i = 0; level == std::min(plan.level, 1) && i < plan.rounds.size(); ++i)
+        {
+            const float step = static_cast<float>(plan.rounds[i].step * m_texel);
+            variance += 2.0f * plan.rounds[i].share * step * step;
+            mix(plan.rounds[i], true);
+            mix(plan.rounds[i], false);
+        }
     }
-    // 2 x 2 taps have the variance 1/4.
-    const float scale = static_cast<float>(m_texel);
-    const float tree = scale * mixtureDeviation(rounds);
-    m_deviation = std::sqrt(tree * tree + (isHalf ? 0.25f : 0.0f));
+    m_deviation = std::sqrt(variance);
     for (Mixture<float>& mixture : m_mixtures)
     {
-        simplifyMixture(mixture, count);
+        simplifyMixture(mixture, m_count);
         const glm::vec<2, std::uint32_t> two = encodeMixture2(mixture, m_deviation);
-        m_codes.push_back(count > 2 ? encodeMixture4(mixture, m_deviation)
-                                    : glm::vec<4, std::uint32_t>(two.x, two.y, 0u, 0u));
+        m_codes.push_back(m_count > 2 ? encodeMixture4(mixture, m_deviation)
+                                      : glm::vec<4, std::uint32_t>(two.x, two.y, 0u, 0u));
     }
 }
 
-void MixtureMap::step(int texels, bool alongX)
+std::size_t MixtureMap::at(int x, int y) const
+{
+    const int last = m_size - 1;
+    return static_cast<std::size_t>(detail::clamp(y, 0, last)) * static_cast<std::size_t>(m_size) +
+           static_cast<std::size_t>(detail::clamp(x, 0, last));
+}
+
+void MixtureMap::mix(const MixtureRound& round, bool alongX)
 {
     std::vector<Mixture<float>> mixed(m_mixtures.size());
     for (int y = 0; y < m_size; ++y)
@@ -62,32 +58,66 @@ void MixtureMap::step(int texels, bool alongX)
         {
             for (const int side : {0, -1, 1})
             {
-                const int dx = alongX ? side * texels : 0;
-                const int dy = alongX ? 0 : side * texels;
+                const int dx = alongX ? side * round.step : 0;
+                const int dy = alongX ? 0 : side * round.step;
                 const glm::vec2 offset = static_cast<float>(m_texel) * glm::vec2(dx, dy);
-                const Mixture<float>& from = m_mixtures[at(x + dx, y + dy, m_size)];
+                const float share = side == 0 ? 1.0f - 2.0f * round.share : round.share;
+                const Mixture<float>& from = m_mixtures[at(x + dx, y + dy)];
                 for (int i = 0; i < m_count; ++i)
-                    insertComponent(mixed[at(x, y, m_size)],
-                                    moveComponent(from.components[i], offset, side == 0 ? 0.5f : 0.25f), m_count);
+                    insertComponent(mixed[at(x, y)], moveComponent(from.components[i], offset, share), m_count);
             }
         }
     }
     m_mixtures.swap(mixed);
 }
 
-float MixtureMap::visibility(const glm::vec2& place, float depth, const glm::vec2& gradient) const
+void MixtureMap::halve()
 {
-    const float scale = static_cast<float>(m_texel);
-    const glm::vec2 middle = (place - 0.5f * (scale - 1.0f)) / scale;
-    const int x = detail::clamp(static_cast<int>(std::floor(middle.x + 0.5f)), 0, m_size - 1);
-    const int y = detail::clamp(static_cast<int>(std::floor(middle.y + 0.5f)), 0, m_size - 1);
-    const glm::vec2 offset = scale * (middle - glm::vec2(x, y));
-    const glm::vec<4, std::uint32_t>& code = m_codes[at(x, y, m_size)];
-    const float shifted = shiftReceiver(depth, gradient, 0.5f);
-    const float bias = kMixtureBias<float>;
-    return m_count > 2 ? mixtureVisibility4(code, offset, shifted, gradient, m_deviation, bias)
-                       : mixtureVisibility2(glm::vec<2, std::uint32_t>(code.x, code.y), offset, shifted, gradient,
+    std::vector<Mixture<float>> halved;
+    const float reach = 0.5f * static_cast<float>(m_texel);
+    for (int y = 0; y < m_size / 2; ++y)
+    {
+        for (int x = 0; x < m_size / 2; ++x)
+        {
+            halved.emplace_back();
+            for (int k = 0; k < 4; ++k)
+            {
+                const glm::ivec2 side(k % 2, k / 2);
+                const Mixture<float>& from = m_mixtures[at(2 * x + side.x, 2 * y + side.y)];
+                for (int i = 0; i < m_count; ++i)
+                {
+                    const glm::vec2 offset = reach * glm::vec2(2 * side - 1);
+                    insertComponent(halved.back(), moveComponent(from.components[i], offset, 0.25f), m_count);
+                }
+            }
+        }
+    }
+    m_size /= 2;
+    m_texel *= 2;
+    m_mixtures.swap(halved);
+}
+
+float MixtureMap::coded(int x, int y, const glm::vec2& offset, float depth, const glm::vec2& gradient, float bias) const
+{
+    const glm::vec<4, std::uint32_t>& code = m_codes[at(x, y)];
+    return m_count > 2 ? mixtureVisibility4(code, offset, depth, gradient, m_deviation, bias)
+                       : mixtureVisibility2(glm::vec<2, std::uint32_t>(code.x, code.y), offset, depth, gradient,
                                             m_deviation, bias);
+}
+
+float MixtureMap::uncoded(int x, int y, const glm::vec2& offset, float depth, const glm::vec2& gradient,
+                          float bias) const
+{
+    float weight = 0.0f;
+    float lit = 0.0f;
+    for (const MixtureComponent<float>& component : m_mixtures[at(x, y)].components)
+    {
+        const MixturePlane<float> plane = componentPlane(component);
+        const float share = planeWeight(plane, offset, m_deviation);
+        weight += share;
+        lit += share * planeLight(plane, offset, depth, gradient, m_deviation, bias).x;
+    }
+    return weight > 0.0f ? detail::clamp(lit / weight, 0.0f, 1.0f) : 1.0f;
 }
 
 } // namespace lvsm::mixtures

@@ -1,4 +1,4 @@
-// A map of mixtures, made by the tree on the host, as a pass makes it.
+// A map of mixtures, made by rounds of the tree on the host, as a pass makes it.
 #ifndef LVSM_TESTS_MIXTURES_MIXTURE_MAP_HPP
 #define LVSM_TESTS_MIXTURES_MIXTURE_MAP_HPP
 
@@ -12,22 +12,39 @@ namespace lvsm::mixtures
 
 using DepthAt = std::function<float(int, int)>;
 
-/// Coded planes of a square map, two in 64 bits or four in 128.
+/// What a round mixes: each texel with the two that are so many texels of the map away, which get this share each.
+struct MixtureRound
+{
+    int step;
+    float share;
+};
+
+/// How a map is made of a shadow map.
+struct MixturePlan
+{
+    int count;                        ///< of planes, two or four
+    int level;                        ///< one texel for 1, 2 x 2, 4 x 4, ... of the shadow map
+    std::vector<MixtureRound> rounds; ///< at level 0, or from level 1 on at level 1
+};
+
+/// Planes of a square map, as they are or coded: two in 64 bits, four in 128.
 class MixtureMap
 {
 public:
-    /// rounds: of the tree. isHalf: one code for 2 x 2 texels, whose first round steps two texels.
-    MixtureMap(const DepthAt& depth, int size, int rounds, int count, bool isHalf);
+    MixtureMap(const DepthAt& depth, int size, const MixturePlan& plan);
 
-    /// One nearest fetch, at a place whose whole numbers are the centres of texels.
-    float visibility(const glm::vec2& place, float depth, const glm::vec2& gradient) const;
+    /// One texel's, for a receiver that is offset from its centre. offset, gradient: in texels of the shadow map.
+    float coded(int x, int y, const glm::vec2& offset, float depth, const glm::vec2& gradient, float bias) const;
+    float uncoded(int x, int y, const glm::vec2& offset, float depth, const glm::vec2& gradient, float bias) const;
 
 private:
-    void step(int texels, bool alongX);
+    void mix(const MixtureRound& round, bool alongX);
+    void halve();
+    std::size_t at(int x, int y) const;
 
-    int m_texel; ///< of the map, in texels of the shadow map
-    int m_size;
     int m_count;
+    int m_size;
+    int m_texel; ///< in texels of the shadow map
     float m_deviation;
     std::vector<Mixture<float>> m_mixtures;
     std::vector<glm::vec<4, std::uint32_t>> m_codes;

@@ -2,7 +2,7 @@
 """The recorded figures of mixtures, and whether a program of now prints those of a small run.
 
     recorded.py FILE COMMAND...     FILE: of this folder; every number must be within 0.002 of the recorded one
-    lvsm_mixture_windows > windows.txt; lvsm_mixture_figures > figures.txt       record them
+    lvsm_mixture_windows > windows.txt       records them
 """
 import pathlib
 import re
@@ -26,13 +26,6 @@ def tables(name):
             found.append(lines)
             lines = []
     return found
-
-
-def rmse(row, width=7, column="mean"):
-    """Of a row of the figures: `mixture K = 4`, `MSM4 rgba32f, bilinear, half resolution`."""
-    lines = tables("figures.txt")[0 if width == 7 else 1]
-    at = lines[0].index(column)
-    return float(next(line for line in lines if line[0].replace("*", "") == row)[at])
 
 
 def numbers(text):

@@ -116,7 +116,7 @@ quality::Technique techniqueNamed(const std::string& name)
 
 std::vector<float> visibilities(const Lit& lit, const quality::Technique& technique)
 {
-    quality::MapMaker maker(technique, lit.scene, lit.filterWidth, quality::Rounding::EachPass);
+    quality::MapMaker maker(technique, lit.scene, {lit.filterWidth}, quality::Rounding::EachPass);
     const quality::StoredMap map(maker, {});
     std::vector<float> found;
     for (const Receiver& r : lit.view.receivers)

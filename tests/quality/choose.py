@@ -74,11 +74,11 @@ def mark_fronts(techniques):
 
 
 @functools.cache
-def techniques(wide=False):
+def techniques(run="7"):
     """All of them by bits and error, with what they cost and the fronts that they are on."""
     found = []
-    for technique in recorded.techniques(wide=wide):
-        errors = {column: round(recorded.rmse(technique["name"], column, wide), 4) for column in recorded.COLUMNS}
+    for technique in recorded.techniques(run=run):
+        errors = {column: round(recorded.rmse(technique["name"], column, run), 4) for column in recorded.COLUMNS}
         found.append({**technique, "errors": errors})
     found.sort(key=lambda t: (t["bits"], error_of(t), t["name"]))
     add_costs(found)
@@ -125,7 +125,7 @@ def bits_table():
 def wide_table():
     """At some costs, bits included in none."""
     lines = [["cost at most", "ours", "a peer, PCF included", "ours over the peer"]]
-    costed = [t for t in techniques(wide=True) if t["cost"] is not None]
+    costed = [t for t in techniques("15") if t["cost"] is not None]
     for cost in (64, 128, 256, 512, 1024, 2048):
         ours, peer = (best([t for t in costed if t["cost"] <= cost and t["peer"] == whose]) for whose in (False, True))
         both = ours is not None and peer is not None

@@ -27,6 +27,8 @@ def main():
             "--scenes": ["--scenes", "moon"],
             "--techniques": ["--techniques", "magic"],
             "--width": ["--width", "4"],
+            "tree": ["--tree", "--width", "5"],
+            "--footprint": ["--footprint", "40,1"],
             "--size": ["--size", "many"],
             "--output": ["--output", folder, *SMALL, "--scenes", "fence"],
             "/nowhere.obj": ["--model", "/nowhere.obj"],
@@ -47,7 +49,7 @@ def main():
         assert {row["scene"] for row in rows} == {"fence", "street-oblique"}
         for row in rows:
             for key in ("technique", "peer", "bits", "scene", "seed", "rmse", "bleed", "dark", "p99", "width",
-                        "footprint", "stretch", "taps", "resolution", "texel_bits", "calm", "cost"):
+                        "footprint", "stretch", "taps", "resolution", "texel_bits", "calm", "cost", "window", "chosen_rmse"):
                 assert key in row, key
             assert row["seed"] == 4 and 0 <= row["rmse"] <= 1
         assert sum(name.endswith(".png") for name in os.listdir(folder)) == len(rows)

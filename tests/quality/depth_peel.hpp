@@ -35,6 +35,12 @@ public:
     /// The ray through a point of the map, in texels; the centre of the first texel is at 0.5.
     Ray ray(double x, double y) const;
 
+    /// The same light with another grid: so many texels further.
+    Light moved(glm::dvec2 texels) const;
+
+    /// The point of a depth that falls on a place of the map, in texels.
+    glm::dvec3 point(glm::dvec2 place, double depth) const;
+
     /// Where a point falls on the map, in texels.
     glm::dvec2 texel(glm::dvec3 point) const;
 

@@ -97,6 +97,20 @@ Light::Ray Light::ray(double x, double y) const
     return m_spot ? Ray{m_origin, m_forward + offset} : Ray{m_origin + offset, m_forward};
 }
 
+Light Light::moved(glm::dvec2 texels) const
+{
+    Light light = *this;
+    light.m_low += texels / m_texelsPerUnit;
+    return light;
+}
+
+glm::dvec3 Light::point(glm::dvec2 place, double depth) const
+{
+    const Ray from = ray(place.x, place.y);
+    const double away = glm::mix(m_nearDistance, m_farDistance, depth);
+    return from.origin + away * glm::normalize(from.direction);
+}
+
 glm::dvec2 Light::texel(glm::dvec3 point) const
 {
     return (glm::dvec2(local(point)) - m_low) * m_texelsPerUnit;

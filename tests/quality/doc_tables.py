@@ -70,8 +70,8 @@ def groups():
     return lines
 
 
-def ratio(ours, peer, column=MEAN, wide=False):
-    return rmse(ours, column, wide) / max(rmse(peer, column, wide), 1.0e-9)
+def ratio(ours, peer, column=MEAN, run="7"):
+    return rmse(ours, column, run) / max(rmse(peer, column, run), 1.0e-9)
 
 
 def ratios(ours, peer):

@@ -34,6 +34,24 @@ void pass(const Image& from, Image& to, const std::vector<float>& kernel, int st
     }
 }
 
+std::vector<double> kernelOf(const std::vector<Round>& rounds)
+{
+    std::vector<double> kernel{1.0};
+    for (const Round& round : rounds)
+    {
+        const std::size_t step = static_cast<std::size_t>(round.step);
+        std::vector<double> wider(kernel.size() + 2 * step);
+        for (std::size_t i = 0; i < kernel.size(); ++i)
+        {
+            wider[i] += round.share * kernel[i];
+            wider[i + step] += (1.0 - 2.0 * round.share) * kernel[i];
+            wider[i + 2 * step] += round.share * kernel[i];
+        }
+        kernel = wider;
+    }
+    return kernel;
+}
+
 } // namespace
 
 std::vector<double> binomialKernel(int width)
@@ -42,6 +60,36 @@ std::vector<double> binomialKernel(int width)
     for (int i = 0; i < width; ++i)
         kernel.push_back(binomialWeight<double>(i, width));
     return kernel;
+}
+
+std::vector<Round> Window::rounds() const
+{
+    std::vector<Round> rounds;
+    for (int left = width / 2, step = 1; left > 0; left -= step, step *= tree ? 2 : 1)
+        rounds.push_back({step, 0.25});
+    return rounds;
+}
+
+std::vector<double> Window::kernel() const
+{
+    return tree ? kernelOf(rounds()) : binomialKernel(width);
+}
+
+std::vector<double> Window::before(int tapsAcross, bool half) const
+{
+    // What a bilinear sample between texels, or a texel for 2 x 2, filters by itself.
+    constexpr double kOwnOfHalf = 0.5;
+    if (tree && half)
+    {
+        std::vector<Round> less = rounds();
+        const double step = less.back().step;
+        less.back().share -= 0.5 * kOwnOfHalf / (step * step);
+        return kernelOf(less);
+    }
+    if (tree)
+        return kernel();
+    const int left = tapsAcross % 2 == 1 ? width - tapsAcross + 1 : width - tapsAcross;
+    return binomialKernel(std::max(1, half ? left - 2 : left));
 }
 
 double deviationOf(const std::vector<double>& kernel)

@@ -12,6 +12,26 @@ namespace lvsm::quality
 /// Binomial weights of an odd width, in double, which sum to 1.
 std::vector<double> binomialKernel(int width);
 
+/// A step of a filter: three texels so far apart, the outer ones with this share each.
+struct Round
+{
+    int step;
+    double share;
+};
+
+/// The filter that everybody is given. A binomial one is rounds of step 1, each with a share of 1/4; the tree, by which
+/// mixtures are made, doubles the step from round to round and has the widths 3, 7, 15 and so on.
+struct Window
+{
+    int width;
+    bool tree = false;
+
+    std::vector<Round> rounds() const;
+    std::vector<double> kernel() const;
+    /// What is left for a filter before n x n taps or a map of half resolution. The tree has no variant with taps.
+    std::vector<double> before(int tapsAcross, bool half) const;
+};
+
 /// Standard deviation of a kernel, in texels.
 double deviationOf(const std::vector<double>& kernel);
 

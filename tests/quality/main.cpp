@@ -22,6 +22,8 @@ struct Options
     unsigned seed = 1;
     int size = 256;
     std::vector<int> widths = {7};
+    bool tree = false;
+    std::vector<int> footprint = {1, 1};
     std::size_t receivers = 8000;
     bool centred = false;
     bool eachPass = false;
@@ -130,18 +132,19 @@ support::Result<std::vector<Plan>> planScenes(const Options& options)
 }
 
 /// The scenes with what is measured in them for one width of the filter.
-std::vector<LitScene> litScenes(const std::vector<Scene>& scenes, const Plan& plan, int width, const Options& options)
+std::vector<LitScene> litScenes(const std::vector<Scene>& scenes, const Plan& plan, const Terms& terms,
+                                const Options& options)
 {
     constexpr std::size_t kPairs = 2000;
-    const std::vector<double> kernel = binomialKernel(width);
+    const std::vector<double> kernel = terms.window.kernel();
     std::vector<LitScene> lights;
     for (const Scene& scene : scenes)
     {
         const bool isReported =
             std::find(plan.reported.begin(), plan.reported.end(), scene.name) != plan.reported.end();
         const std::size_t most = options.pictures.empty() ? options.receivers : std::numeric_limits<std::size_t>::max();
-        LitScene light{scene, isReported, receiversOf(scene, kernel, {options.centred, most}), {}};
-        if (isReported)
+        LitScene light{scene, isReported, receiversOf(scene, kernel, {options.centred, most, terms.footprint}), {}};
+        if (isReported && !terms.footprint.minified())
             light.pairs = neighboursOf(scene, receiversOf(scene, kernel, {options.centred, kPairs}), kernel);
         lights.push_back(std::move(light));
     }
@@ -178,7 +181,7 @@ support::Result<Run> measureAll(const Options& options)
                          [&](const Technique& t) { return t.name + measured.variant.suffix() == measured.technique; });
         const std::string path =
             options.pictures + "/" +
-            fileName(measured.scene + " " + measured.technique + " " + std::to_string(measured.width)) + ".png";
+            fileName(measured.scene + " " + measured.technique + " " + std::to_string(measured.window.width)) + ".png";
         const auto failed = writePicture(map, *technique, measured.setting, light, path);
         const std::lock_guard<std::mutex> lock(mutex);
         if (failed)
@@ -189,7 +192,12 @@ support::Result<Run> measureAll(const Options& options)
         const std::vector<Scene> scenes = (*plans)[i].make();
         for (const int width : options.widths)
         {
-            const std::vector<LitScene> lights = litScenes(scenes, (*plans)[i], width, options);
+            const Footprint footprint{options.footprint[0], options.footprint[1]};
+            const Terms terms{{width, options.tree},
+                              footprint,
+                              options.eachPass ? Rounding::EachPass : Rounding::Once,
+                              !options.oneTap && !footprint.minified()};
+            const std::vector<LitScene> lights = litScenes(scenes, (*plans)[i], terms, options);
             for (const LitScene& light : lights)
             {
                 std::fprintf(stderr, "[%zu/%zu] %s, width %d: %zu receivers\n", i + 1, plans->size(),
@@ -201,8 +209,7 @@ support::Result<Run> measureAll(const Options& options)
             parallelFor(techniques.size(),
                         [&](std::size_t t)
                         {
-                            found[t] = measure(techniques[t], lights, width,
-                                               options.eachPass ? Rounding::EachPass : Rounding::Once, !options.oneTap,
+                            found[t] = measure(techniques[t], lights, terms,
                                                options.pictures.empty() ? Shown() : picture);
                         });
             if (problem)
@@ -230,6 +237,12 @@ int main(int argc, char** argv)
         ->check(CLI::Range(3, 25))
         ->delimiter(',')
         ->capture_default_str();
+    app.add_flag("--tree", options.tree, "Filters are windows of the tree of mixtures, of width 3, 7 or 15");
+    app.add_option("--footprint", options.footprint, "Length of a receiver's footprint in texels, and how often narrower")
+        ->check(CLI::Range(1, 16))
+        ->delimiter(',')
+        ->expected(2)
+        ->capture_default_str();
     app.add_option("--receivers", options.receivers, "Most receivers of a scene")->capture_default_str();
     app.add_flag("--centred", options.centred, "Receivers on texel centres, not anywhere between them");
     app.add_flag("--each-pass", options.eachPass, "Round when storing and after each pass of the filter, not once");
@@ -246,6 +259,11 @@ int main(int argc, char** argv)
         if (width % 2 == 0)
         {
             std::fprintf(stderr, "--width: %d is even, and a filter has a middle\n", width);
+            return 1;
+        }
+        if (options.tree && (width & (width + 1)) != 0)
+        {
+            std::fprintf(stderr, "--width: no tree is %d texels wide\n", width);
             return 1;
         }
     }

@@ -12,7 +12,8 @@ namespace
 {
 
 // The settings are chosen on so many receivers of each light, and on fewer the more taps they have.
-constexpr std::size_t kChoiceReceivers = 600;
+constexpr std::size_t kChoiceReceivers = 2400;
+constexpr std::size_t kLeastReceivers = 150;
 constexpr std::size_t kBleeding = 4; // member of a setting
 constexpr int kRounds = 2;           // that all members of a setting are tried, one after the other
 
@@ -89,7 +90,8 @@ public:
     Trials(const Technique& technique, const Variant& variant, const std::vector<StoredMap>& maps,
            const std::vector<LitScene>& lights)
         : m_technique(technique), m_settings(technique), m_maps(maps), m_lights(lights),
-          m_most(kChoiceReceivers / static_cast<std::size_t>(variant.tapsAcross))
+          m_most(std::max(kLeastReceivers,
+                          kChoiceReceivers / static_cast<std::size_t>(variant.tapsAcross * variant.tapsAcross)))
     {
     }
 
@@ -189,9 +191,12 @@ double calmOf(const StoredMap& map, const Technique& technique, const std::vecto
     return sum.errors().rmse;
 }
 
-void addErrors(const StoredMap& map, const Technique& technique, const LitScene& light, Measurement& result)
+/// best: the setting that is chosen.
+void addErrors(const StoredMap& map, const Technique& technique, const LitScene& light, const Setting& best,
+               Measurement& result)
 {
-    Sum all, unweighted, plain;
+    result.setting = technique.own ? plainSetting(technique) : best;
+    Sum all, unweighted, plain, chosen;
     Percentile percentile;
     std::array<Sum, kGroupNames.size()> groups;
     for (const Receiver& r : light.receivers)
@@ -200,7 +205,9 @@ void addErrors(const StoredMap& map, const Technique& technique, const LitScene&
         const double weight = static_cast<double>(r.surface.facing);
         all.add(weight, error);
         unweighted.add(1.0, error);
-        plain.add(weight, static_cast<double>(estimateOf(map, technique, r, kPlainSetting) - r.visibility));
+        plain.add(weight, static_cast<double>(estimateOf(map, technique, r, plainSetting(technique)) - r.visibility));
+        if (technique.own)
+            chosen.add(weight, static_cast<double>(estimateOf(map, technique, r, best) - r.visibility));
         percentile.add(weight, error);
         groups[static_cast<std::size_t>(lightGroup(r))].add(weight, error);
         if (r.occluderDistance > 0.0f)
@@ -211,6 +218,7 @@ void addErrors(const StoredMap& map, const Technique& technique, const LitScene&
     result.unweighted = unweighted.errors();
     result.p99 = percentile.at(0.99);
     result.plainRmse = plain.errors().rmse;
+    result.chosenRmse = (technique.own ? chosen : all).errors().rmse;
     std::transform(groups.begin(), groups.end(), result.groups.begin(), [](const Sum& sum) { return sum.errors(); });
     result.calm = calmOf(map, technique, light.pairs, result.setting);
 }
@@ -220,6 +228,8 @@ void addErrors(const StoredMap& map, const Technique& technique, const LitScene&
 Settings::Settings(const Technique& technique)
 {
     m_values[0] = {0.0f, 0.15f, 0.3f, 0.6f, 1.0f, 3.0f};
+    if (technique.own)
+        m_values[0].insert(m_values[0].begin(), technique.own->shift);
     m_values[1] = technique.floors ? std::vector<float>{0.0f, 1.0f, 4.0f} : std::vector<float>{0.0f};
     m_values[2] =
         technique.floors ? std::vector<float>{0.003f, 0.03f, 0.3f, 1.0f, 3.0f, 10.0f, 30.0f} : std::vector<float>{1.0f};
@@ -243,20 +253,28 @@ Settings::Index Settings::plain() const
     return {0, 0, one(2), one(3), 0};
 }
 
+Setting plainSetting(const Technique& technique)
+{
+    Setting setting = kPlainSetting;
+    if (technique.own)
+        setting.shift = technique.own->shift;
+    return setting;
+}
+
 float estimateOf(const StoredMap& map, const Technique& technique, const Receiver& receiver, const Setting& setting)
 {
     const float visibility = map.estimate(receiver, setting);
     return technique.contact ? visibility : reduceLightBleeding(visibility, setting.bleeding);
 }
 
-std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, int width,
-                                 Rounding rounding, bool variants, const Shown& shown)
+std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, const Terms& terms,
+                                 const Shown& shown)
 {
     std::vector<MapMaker> makers;
     for (const LitScene& light : lights)
-        makers.emplace_back(technique, light.scene, width, rounding);
+        makers.emplace_back(technique, light.scene, terms.window, terms.rounding, terms.footprint);
     std::vector<Measurement> results;
-    for (const Variant& variant : variants ? variantsOf(technique, width) : std::vector<Variant>(1))
+    for (const Variant& variant : terms.variants ? variantsOf(technique, terms.window) : std::vector<Variant>(1))
     {
         std::vector<StoredMap> maps;
         for (MapMaker& maker : makers)
@@ -270,14 +288,15 @@ std::vector<Measurement> measure(const Technique& technique, const std::vector<L
             result.technique = technique.name + variant.suffix();
             result.peer = technique.peer;
             result.bits = technique.bits;
-            result.reading = technique.reading;
+            result.reading = variant.decoded ? Reading::Decoded : technique.reading;
             result.variant = variant;
-            result.width = width;
-            result.estimate = technique.estimate;
+            result.window = terms.window;
+            result.footprint = terms.footprint;
+            result.samples = maps[i].samples();
+            result.estimate = technique.estimate + (result.reading == Reading::Nearest ? " moved" : "");
             result.scene = lights[i].scene.name;
             result.mesh = lights[i].scene.mesh;
-            result.setting = trials.best(i);
-            addErrors(maps[i], technique, lights[i], result);
+            addErrors(maps[i], technique, lights[i], trials.best(i), result);
             if (shown)
                 shown(result, maps[i], lights[i]);
             results.push_back(std::move(result));

@@ -2,6 +2,7 @@
 #define LVSM_TESTS_QUALITY_MEASURE_HPP
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -42,27 +43,45 @@ struct Measurement
     int bits = 0; ///< a texel of what is stored
     Reading reading = Reading::Bilinear;
     Variant variant;
-    int width = 0;
+    Window window = {0};
+    Footprint footprint;
+    int samples = 1; ///< along a footprint that is stretched
     std::string estimate; ///< of one tap, in tests/cost/estimates.def
     std::string scene;
     bool mesh = false;
-    Setting setting = kPlainSetting; ///< chosen in other lights or of another seed
+    Setting setting = kPlainSetting; ///< chosen in other lights or of another seed, but for what filters by itself
     Errors all;                      ///< weighted by n.l
     Errors unweighted;
     double p99 = 0.0;                              ///< 99th percentile of the size of the error, weighted by n.l
-    double plainRmse = 0.0;                        ///< with kPlainSetting
+    double plainRmse = 0.0;                        ///< with what the technique does by itself
+    double chosenRmse = 0.0;                       ///< with the setting that is chosen
     double calm = 0.0;                             ///< RMSE of the difference between neighbours on one surface
     std::array<Errors, kGroupNames.size()> groups; ///< weighted by n.l
 
     /// Of a texel of the shadow map: half resolution has a texel for four of them.
     double texelBits() const { return variant.half ? 0.25 * bits : bits; }
     int taps() const { return variant.tapsAcross * variant.tapsAcross; }
-    /// How often the estimate is made for one receiver.
-    int decisions() const { return taps() * (reading == Reading::Decoded ? 4 : 1); }
+    /// Gathers of 2 x 2 depths that PCF of the whole window takes, footprint included.
+    int gathers() const
+    {
+        const float across = footprint.minified() ? std::ceil(footprint.across()) : 1.0f;
+        return (window.width + footprint.length) / 2 * ((window.width + static_cast<int>(across)) / 2);
+    }
+    /// How often the estimate is made for one receiver. PCF over a footprint is as many of 15 x 15 as it gathers.
+    double decisions() const
+    {
+        constexpr double kGathers15 = 64.0;
+        if (estimate == "PCF whole window" && footprint.minified())
+            return gathers() / kGathers15;
+        const int times = reading == Reading::Decoded ? 4 : 1;
+        return taps() * times * (reading == Reading::Bilinear || reading == Reading::Window ? 1 : samples);
+    }
     /// Its row in tests/cost/estimates.def, where it has one.
     std::string estimateName() const
     {
-        return estimate == "PCF whole window" ? estimate + " " + std::to_string(width) : estimate;
+        if (estimate == "PCF whole window" && footprint.minified())
+            return estimate + " 15";
+        return estimate == "PCF whole window" ? estimate + " " + std::to_string(window.width) : estimate;
     }
 };
 
@@ -75,11 +94,24 @@ struct LitScene
     std::vector<Receiver> pairs; ///< of neighboursOf
 };
 
-/// Errors of one technique, in all its variants or with one tap alone, in each light that is reported. The setting of each light is the best
-/// in the other lights together; a light that is alone is judged with its own best. shown is called with each of them.
+/// What everybody is measured with.
+struct Terms
+{
+    Window window;
+    Footprint footprint = {};
+    Rounding rounding = Rounding::Once;
+    bool variants = true; ///< all, not one tap at full resolution alone
+};
+
+/// Errors of one technique in its variants in each light that is reported. The setting of each light is the best in the
+/// other lights together, a light that is alone is judged with its own best, and what filters by itself with what its
+/// documents say. shown is called with each of them.
 using Shown = std::function<void(const Measurement&, const StoredMap&, const LitScene&)>;
-std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, int width,
-                                 Rounding rounding, bool variants = true, const Shown& shown = {});
+std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, const Terms& terms,
+                                 const Shown& shown = {});
+
+/// What a technique does by itself.
+Setting plainSetting(const Technique& technique);
 
 /// Settings in the order in which they are tried: one member after the other, twice.
 class Settings

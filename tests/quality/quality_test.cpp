@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <lvsm/components.hpp>
+
 #include "filter.hpp"
 #include "measure.hpp"
 #include "scenes_layered.hpp"
@@ -61,6 +63,119 @@ TEST_CASE("binomial kernels sum to one and have the deviation sqrt(n - 1) / 2")
             sum += weight;
         CHECK(sum == doctest::Approx(1.0).epsilon(1e-15));
         CHECK(deviationOf(kernel) == doctest::Approx(0.5 * std::sqrt(width - 1.0)).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("rounds of the tree make the windows that mixtures have, and binomial ones of single steps")
+{
+    for (const int width : {3, 7, 15, 25})
+    {
+        const std::vector<double> kernel = binomialKernel(width);
+        std::vector<double> made{1.0};
+        for (const Round& round : Window{width}.rounds())
+        {
+            CHECK(round.step == 1);
+            std::vector<double> wider(made.size() + 2);
+            for (std::size_t i = 0; i < made.size(); ++i)
+            {
+                wider[i] += round.share * made[i];
+                wider[i + 1] += (1.0 - 2.0 * round.share) * made[i];
+                wider[i + 2] += round.share * made[i];
+            }
+            made = wider;
+        }
+        REQUIRE(made.size() == kernel.size());
+        for (std::size_t i = 0; i < made.size(); ++i)
+            CHECK(made[i] == doctest::Approx(kernel[i]).epsilon(1e-12));
+    }
+    for (int rounds = 1; rounds <= 3; ++rounds)
+    {
+        const Window window{(2 << rounds) - 1, true};
+        CHECK(window.kernel().size() == static_cast<std::size_t>(window.width));
+        CHECK(deviationOf(window.kernel()) == doctest::Approx(mixtureDeviation<double>(rounds)).epsilon(1e-12));
+        // Half resolution adds half a texel's variance by its own.
+        const double less = deviationOf(window.before(1, true));
+        CHECK(less * less + 0.5 == doctest::Approx(std::pow(deviationOf(window.kernel()), 2.0)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a window with a footprint weighs what lies along and across it")
+{
+    const glm::vec2 offset(0.3f, -0.2f);
+    for (const Footprint& footprint : {Footprint{}, Footprint{4, 1}, Footprint{16, 1}, Footprint{4, 8}, Footprint{16, 8}})
+    {
+        const float angle = 0.7f;
+        const glm::vec2 direction(std::cos(angle), std::sin(angle));
+        const PlacedWindow window(binomialKernel(7), offset, footprint, direction);
+        double sum = 0.0, along = 0.0, across = 0.0;
+        glm::dvec2 centre(0.0);
+        for (int y = window.first(); y <= window.last(); ++y)
+        {
+            for (int x = window.first(); x <= window.last(); ++x)
+            {
+                const double w = window.weight(x, y);
+                const glm::vec2 p = glm::vec2(x, y) - offset;
+                sum += w;
+                centre += w * glm::dvec2(x, y);
+                along += w * std::pow(static_cast<double>(glm::dot(p, direction)), 2.0);
+                across += w * std::pow(static_cast<double>(glm::dot(p, glm::vec2(-direction.y, direction.x))), 2.0);
+            }
+        }
+        CHECK(sum == doctest::Approx(1.0).epsilon(1e-12));
+        CHECK(centre.x == doctest::Approx(static_cast<double>(offset.x)).epsilon(1e-5));
+        CHECK(centre.y == doctest::Approx(static_cast<double>(offset.y)).epsilon(1e-5));
+        // Binomial, and up to a quarter by the bilinear move; then the footprint's own, of places a texel apart.
+        const auto least = [](double breadth)
+        {
+            return 1.5 + (breadth * breadth - 1.0) / 12.0;
+        };
+        const double length = footprint.length;
+        const double breadth = std::max(1.0, static_cast<double>(footprint.across()));
+        CHECK(along >= least(length) - 1e-4);
+        CHECK(along <= least(length) + 0.25);
+        CHECK(across >= least(breadth) - 1e-4);
+        CHECK(across <= least(breadth) + 0.25);
+    }
+}
+
+TEST_CASE("mixtures leave a plane lit and a step in its share, in each variant and footprint")
+{
+    // A wall in front of one half of a slope, wide enough that no footprint sees past it.
+    constexpr float kStep = 1.0f / 512.0f;
+    std::vector<std::vector<Surface>> texels(static_cast<std::size_t>(kSize * kSize));
+    for (int y = 0; y < kSize; ++y)
+    {
+        for (int x = 0; x < kSize; ++x)
+        {
+            std::vector<Surface>& texel = texels[texelIndex(x, y, kSize)];
+            texel.push_back({0.6f + kStep * static_cast<float>(x), {kStep, 0.0f}, 1.0f});
+            if (x >= kSize / 2)
+                texel.push_back({0.2f, {0.0f, 0.0f}, 1.0f});
+        }
+    }
+    const Scene scene{"step", Peel(kSize, std::move(texels)), true};
+    for (const char* name : {"mixture K=2 64-bit", "mixture K=4 128-bit", "limit: mixture K=4, not coded"})
+    {
+        const Technique technique = techniqueNamed(name);
+        for (const Footprint& footprint : {Footprint{}, Footprint{4, 1}, Footprint{4, 8}, Footprint{8, 8}})
+        {
+            MapMaker maker(technique, scene, {7}, Rounding::Once, footprint);
+            for (const Variant& variant : variantsOf(technique, {7}))
+            {
+                const StoredMap map(maker, variant);
+                for (int x = 12; x < kSize - 12; ++x)
+                {
+                    Receiver r{x, 30, {0.25f, -0.4f}, *(scene.peel.end(x, 30) - 1), 0.0f, 0.0f};
+                    std::vector<Receiver> alone{r};
+                    judgeAll(scene, binomialKernel(7), alone, footprint);
+                    r = alone.front();
+                    const float v = map.estimate(r, plainSetting(technique));
+                    const bool isFar = std::abs(x - kSize / 2) > 12;
+                    CHECK_MESSAGE(std::abs(v - r.visibility) < (isFar ? 0.001f : 0.13f),
+                                  name << variant.suffix() << " at " << x << ": " << v << ", " << r.visibility);
+                }
+            }
+        }
     }
 }
 
@@ -167,7 +282,7 @@ TEST_CASE("exact depths judge flat receivers without error, and so does PCF over
     {
         const std::vector<LitScene> lights = lightsOf(layeredScene(name, kSize, 5));
         for (const char* exact : {"limit: exact distribution", "limit: exact, receiver's plane", "PCF, whole window"})
-            CHECK(measure(techniqueNamed(exact), lights, kKernel, Rounding::Once).front().all.rmse < 1e-5);
+            CHECK(measure(techniqueNamed(exact), lights, {{kKernel}}).front().all.rmse < 1e-5);
     }
 }
 
@@ -182,7 +297,7 @@ TEST_CASE("settings are the best of the other lights, one member after the other
     lights.back().isReported = false;
     // Without a shift the slope is its own shadow, with one of the filter's radius it is not, whatever is stored.
     const Measurement exact =
-        measure(techniqueNamed("limit: exact distribution"), lights, kKernel, Rounding::Once).front();
+        measure(techniqueNamed("limit: exact distribution"), lights, {{kKernel}}).front();
     CHECK(exact.plainRmse > 0.01);
     CHECK(exact.all.rmse < 0.5 * exact.plainRmse);
     CHECK(exact.setting.shift == 3.0f);
@@ -190,7 +305,7 @@ TEST_CASE("settings are the best of the other lights, one member after the other
     for (const char* name : {"VSM rg32f", "MSM4 rgba32f", "LVSM-8 unorm8 plane, uniform"})
     {
         const Technique technique = techniqueNamed(name);
-        MapMaker maker(technique, lights[1].scene, kKernel, Rounding::Once);
+        MapMaker maker(technique, lights[1].scene, {kKernel}, Rounding::Once);
         const StoredMap map(maker, {});
         const auto errorOf = [&](const Setting& setting)
         {
@@ -203,7 +318,7 @@ TEST_CASE("settings are the best of the other lights, one member after the other
             }
             return sum / weight;
         };
-        const Setting chosen = measure(technique, lights, kKernel, Rounding::Once).front().setting;
+        const Setting chosen = measure(technique, lights, {{kKernel}}).front().setting;
         const double least = errorOf(chosen);
         CHECK(least <= errorOf(kPlainSetting));
         // Each member of the setting alone, as it was tried last.
@@ -226,9 +341,9 @@ TEST_CASE("every estimate is a visibility, whatever the setting and the variant"
         const std::vector<Receiver> receivers = receiversOf(scene, binomialKernel(kKernel));
         for (const Technique& technique : allTechniques())
         {
-            MapMaker maker(technique, scene, kKernel, Rounding::EachPass);
+            MapMaker maker(technique, scene, {kKernel}, Rounding::EachPass);
             const Settings settings(technique);
-            for (const Variant& variant : variantsOf(technique, kKernel))
+            for (const Variant& variant : variantsOf(technique, {kKernel}))
             {
                 const StoredMap map(maker, variant);
                 for (std::size_t i = 0; i < receivers.size(); i += 61)
@@ -280,8 +395,26 @@ TEST_CASE("taps and half resolution see the same window")
         {
             Technique technique{"place", false, 64, 2, Format::Fp32, false, fixed<Place>(channel)};
             technique.variants = true;
-            MapMaker maker(technique, scene, width, Rounding::Once);
-            for (const Variant& variant : variantsOf(technique, width))
+            MapMaker maker(technique, scene, {width}, Rounding::Once);
+            for (const Footprint& footprint : {Footprint{4, 1}, Footprint{8, 1}, Footprint{4, 8}, Footprint{8, 8}})
+            {
+                MapMaker minified(technique, scene, {width}, Rounding::Once, footprint);
+                const Receiver receiver{30, 31, {0.3f, -0.2f}, {0.0f, {0.0f, 0.0f}, 1.0f}, 0.0f, 0.0f};
+                const double value = static_cast<double>(StoredMap(minified, {}).estimate(receiver, kPlainSetting));
+                const double place = 30.3 * static_cast<double>(kStep);
+                if (channel == 0)
+                {
+                    CHECK(value == doctest::Approx(place).epsilon(1e-5));
+                    continue;
+                }
+                // The length is along x. The bilinear sample of a level is up to a quarter of its texel squared wide.
+                const double window = 0.25 * (width - 1) + (footprint.length * footprint.length - 1.0) / 12.0;
+                const double texel = std::max(1.0, static_cast<double>(footprint.across()));
+                const double variance = (value - place * place) / static_cast<double>(kStep * kStep);
+                CHECK(variance > window - 0.3);
+                CHECK(variance < window + 0.3 + 0.25 * texel * texel);
+            }
+            for (const Variant& variant : variantsOf(technique, {width}))
             {
                 const StoredMap map(maker, variant);
                 const Receiver receiver{30, 31, {0.3f, -0.2f}, {0.0f, {0.0f, 0.0f}, 1.0f}, 0.0f, 0.0f};
@@ -377,7 +510,7 @@ TEST_CASE("each tap is judged with the receiver's plane where it is")
     const Scene scene = layeredScene("slanted", kSize, 2);
     Technique squares{"square", false, 32, 1, Format::Fp32, false, fixed<Square>()};
     squares.variants = true;
-    MapMaker maker(squares, scene, 7, Rounding::Once);
+    MapMaker maker(squares, scene, {7}, Rounding::Once);
     const StoredMap four(maker, {2, false});
     const std::vector<Receiver> receivers = receiversOf(scene, binomialKernel(7));
     REQUIRE(!receivers.empty());
@@ -394,7 +527,7 @@ TEST_CASE("layers relative to the plane count a share of what is left in the lay
 {
     const Scene scene = layeredScene("stack", kSize, 2);
     const std::vector<double> kernel = binomialKernel(kKernel);
-    const auto estimator = techniqueNamed("LVSM-2 unorm8 plane, uniform").prepare({scene.peel, kernel});
+    const auto estimator = techniqueNamed("LVSM-2 unorm8 plane, uniform").prepare({scene.peel, {kKernel}});
     // A quarter of the window at 0.1, a half at the receiver's depth, 0.4, and a quarter in the layer behind.
     Image image(5, 4);
     const float depths[] = {0.1f, 0.4f, 0.4f, 0.9f};
@@ -413,7 +546,7 @@ TEST_CASE("layers relative to the plane count a share of what is left in the lay
     }
     const glm::vec2 flat(0.0f);
     const float seen =
-        estimator->visibility({image, image.texel(2, 2), 2, 2, flat, 0.4f, flat, 1.0f, 0.0f, 0.0f, 1.0f, 0.15f});
+        estimator->visibility({image, image.texel(2, 2), 2, 2, flat, 0.4f, flat, 1.0f, 0.0f, 0.0f, 1.0f, 0.15f, flat, 1, flat});
     const double lit = 2.0 / 3.0;
     CHECK(seen == doctest::Approx(0.25 + 0.75 * (lit - 0.15) / 0.85).epsilon(1e-4));
 }

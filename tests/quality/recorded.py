@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The recorded run of lvsm_quality that the documents show, and the test that it is what would be measured now.
+"""The recorded runs of lvsm_quality and lvsm_calm that the documents show, and the test that they are what is measured now.
 
-    recorded.py --check LVSM_QUALITY     measures two of the scenes and compares every technique's error with the record
-    recorded.py --record LVSM_QUALITY    measures everything and writes recorded.json
+    recorded.py --check LVSM_QUALITY LVSM_CALM     measures a small part and compares every error with the record
+    recorded.py --record LVSM_QUALITY LVSM_CALM [FOLDER]    measures everything and writes recorded.json; what FOLDER
+                                                            holds of it, as RUN NUMBER.json, is not measured anew
 
 The record carries a digest of itself, so that no figure of the scenes that are not measured each time is changed by hand.
 """
@@ -22,6 +23,27 @@ FILE = pathlib.Path(__file__).with_name("recorded.json")
 MEAN = "mesh mean"
 # One of flat layers, one of meshes, both short to measure.
 PART = ["--scenes", "slanted,trees-grazing"]
+SMALL_CALM = ["--size", "96", "--points", "300", "--frames", "4", "--cases", "1"]
+CALM = ["--size", "160", "--points", "1000"]
+# What is known of one another among many.
+SOME = ",".join(["VSM rg16", "EVSM4 rgba32f 42/10", "MSM4 unorm16", "MSM4 rgba32f", "MSM4 quantised", "trigonometric",
+                 "LVSM-8 unorm8 plane", "LVSM-16 unorm8 plane", "mixture K=2", "mixture K=4 128", "PCF", "limit: exact"])
+TREE = "MSM4 rgba32f,MSM4 quantised,mixture K=2 64,mixture K=4 128,LVSM-16 unorm8 plane,PCF,limit: exact"
+FEWER = ["--receivers", "4000"]
+# Each run is what some calls measure together. At width 25 mixtures and power moments have variants.
+RUNS = {
+    "7": [[]],
+    "15": [["--width", "15"]],
+    "3": [["--width", "3", "--one-tap", *FEWER]],
+    "25": [["--width", "25", "--one-tap", *FEWER, "--techniques",
+            "VSM,ESM,CSM,PCF,MSM4 unorm,MSM4 x,trigono,limit: exact"],
+           ["--width", "25", *FEWER, "--techniques", "mixture K=2,mixture K=4 128,MSM4 rgba32f,MSM4 quantised"]],
+    **{f"footprint {length}{' x 1/8' if stretch > 1 else ''}":
+       [["--footprint", f"{length},{stretch}", "--receivers", "2000", "--techniques", SOME]]
+       for stretch in (1, 8) for length in (4, 16)},
+    "tree 7": [["--tree", *FEWER, "--techniques", TREE]],
+    "tree 15": [["--tree", "--width", "15", *FEWER, "--techniques", TREE]],
+}
 BUDGETS = [32, 64, 128, 256]
 # The arithmetic is the same everywhere but for the last digits of exp, log and the like.
 TOLERANCE = 1.0e-5
@@ -70,47 +92,66 @@ def kind(name, rows):
                                              "decisions")}}
 
 
-def summary(name, rows):
-    """What is kept of a technique: its error in each scene, and over the mesh scenes means and pooled groups."""
+def summary(name, rows, whole):
+    """What is kept of a technique: its error in each scene, and over the mesh scenes means and, if whole, pooled groups."""
     mesh = [row for row in rows if row["mesh"]]
-    return {**kind(name, rows),
-            **{key: digits(mean(row[key] for row in mesh)) for key in ("bleed", "dark", "p99", "calm")},
-            "unweighted": digits(mean(row["unweighted"]["rmse"] for row in mesh)),
-            "groups": {group: pooled(mesh, group) for group in mesh[0]["groups"]},
-            "rmse": {row["scene"]: digits(row["rmse"]) for row in rows}}
+    kept = {**kind(name, rows), "rmse": {row["scene"]: digits(row["rmse"]) for row in rows},
+            "chosen": digits(mean(row["chosen_rmse"] for row in mesh))}
+    if whole:
+        kept |= {key: digits(mean(row[key] for row in mesh)) for key in ("bleed", "dark", "p99", "calm")}
+        kept["unweighted"] = digits(mean(row["unweighted"]["rmse"] for row in mesh))
+        kept["groups"] = {group: pooled(mesh, group) for group in mesh[0]["groups"]}
+    return kept
 
 
 def digest(lines):
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
-def write(rows, wide_rows):
-    lines = [json.dumps(summary(name, found)) for name, found in by_technique(rows).items()]
-    wide = [json.dumps({**kind(name, found), "rmse": {row["scene"]: digits(row["rmse"]) for row in found}})
-            for name, found in by_technique(wide_rows).items()]
+def record(quality, calm, keep=None):
+    def measured(name, program, *options):
+        kept = keep and pathlib.Path(keep) / f"{name}.json"
+        return json.loads(kept.read_text()) if kept and kept.exists() else measure(program, *options)
+
+    runs = {}
+    for run, calls in RUNS.items():
+        rows = [row for i, call in enumerate(calls) for row in measured(f"{run} {i}", quality, *call)]
+        runs[run] = [json.dumps(summary(name, found, run == "7")) for name, found in by_technique(rows).items()]
+    rows = measured("7 0", quality)
     mesh = list(dict.fromkeys(row["scene"] for row in rows if row["mesh"]))
-    FILE.write_text('{"seed": %d, "width": %d, "wide": %d, "digest": "%s",\n"mesh_scenes": %s,\n'
-                    '"techniques": [\n%s\n],\n"wide_techniques": [\n%s\n]}\n' % (
-                        rows[0]["seed"], rows[0]["width"], wide_rows[0]["width"], digest(lines + wide),
-                        json.dumps(mesh), ",\n".join(lines), ",\n".join(wide)))
+    flicker = {"calm": [json.dumps(row) for row in measured("calm", calm, *CALM)],
+               "small_calm": [json.dumps(row) for row in measured("small calm", calm, *SMALL_CALM)]}
+    lines = [line for run in (*runs.values(), *flicker.values()) for line in run]
+    listed = [f'{json.dumps(name)}: [\n' + ",\n".join(run) + "\n]" for name, run in runs.items()]
+    FILE.write_text('{"seed": %d, "digest": "%s",\n"mesh_scenes": %s,\n"runs": {\n%s\n},\n%s}\n' % (
+        rows[0]["seed"], digest(lines), json.dumps(mesh), ",\n".join(listed),
+        ",\n".join(f'"{name}": [\n' + ",\n".join(found) + "\n]" for name, found in flicker.items())))
 
 
-def record(program):
-    write(measure(program), measure(program, "--width", "15"))
-
-
-def check(program):
+def check(quality, calm):
     """Yields what differs from the record."""
-    if digest([json.dumps(t) for t in whole()["techniques"] + whole()["wide_techniques"]]) != whole()["digest"]:
+    kept = [*whole()["runs"].values(), whole()["calm"], whole()["small_calm"]]
+    if digest([json.dumps(t) for part in kept for t in part]) != whole()["digest"]:
         yield f"{FILE.name} has been changed by hand"
-    now = by_technique(measure(program, *PART))
-    for name in sorted(set(now) ^ {t["name"] for t in whole()["techniques"]}):
+    now = by_technique(measure(quality, *PART))
+    for name in sorted(set(now) ^ {t["name"] for t in whole()["runs"]["7"]}):
         yield f"{name} is {'not recorded' if name in now else 'recorded, but there is no such technique'}"
-    for t in whole()["techniques"]:
+    yield from differences("7", now)
+    run = "footprint 16 x 1/8"
+    yield from differences(run, by_technique(measure(quality, *RUNS[run][0], "--scenes", "slanted")))
+    for was, is_ in zip(whole()["small_calm"], measure(calm, *SMALL_CALM)):
+        if was.keys() != is_.keys() or any(
+                abs(is_[key] - was[key]) > TOLERANCE if isinstance(was[key], float) else is_[key] != was[key]
+                for key in was):
+            yield f"{was} is recorded, {is_} now"
+
+
+def differences(run, now):
+    for t in whole()["runs"][run]:
         for row in now.get(t["name"], []):
             was, is_ = t["rmse"].get(row["scene"]), digits(row["rmse"])
             if was is None or abs(was - is_) > TOLERANCE:
-                yield f"{t['name']}, {row['scene']}: {is_}, recorded {was}"
+                yield f"{run}: {t['name']}, {row['scene']}: {is_}, recorded {was}"
 
 
 @functools.cache
@@ -118,13 +159,13 @@ def whole():
     return json.loads(FILE.read_text())
 
 
-def techniques(limits=False, wide=False):
-    """Those that are stored in some bits, or the limits; for the ordinary filter, or for the wide one."""
-    return [t for t in whole()["wide_techniques" if wide else "techniques"] if (t["bits"] == 0) == limits]
+def techniques(limits=False, run="7"):
+    """Those that are stored in some bits, or the limits, in one of RUNS."""
+    return [t for t in whole()["runs"][run] if (t["bits"] == 0) == limits]
 
 
-def technique(name, wide=False):
-    return next(t for t in whole()["wide_techniques" if wide else "techniques"] if t["name"] == name)
+def technique(name, run="7"):
+    return next(t for t in whole()["runs"][run] if t["name"] == name)
 
 
 def scenes_of(column):
@@ -134,16 +175,16 @@ def scenes_of(column):
 
 
 def technique_scenes():
-    return list(whole()["techniques"][0]["rmse"])
+    return list(whole()["runs"]["7"][0]["rmse"])
 
 
 COLUMNS = [*dict.fromkeys(scene.split("-")[0] for scene in technique_scenes()), MEAN] if FILE.exists() else []
 
 
-def rmse(name, column=MEAN, wide=False):
-    return mean(technique(name, wide)["rmse"][scene] for scene in scenes_of(column))
+def rmse(name, column=MEAN, run="7"):
+    return mean(technique(name, run)["rmse"][scene] for scene in scenes_of(column))
 
 
 if __name__ == "__main__":
-    recorded_run.main(__doc__, check, record, "If they are meant: tests/quality/recorded.py --record LVSM_QUALITY; "
+    recorded_run.main(__doc__, check, record, "If they are meant: tests/quality/recorded.py --record LVSM_QUALITY LVSM_CALM; "
                       "tests/docs/documents.py --write")

@@ -204,7 +204,7 @@ void printWidth(const std::vector<const Measurement*>& measurements, const Colum
         if (line.technique->technique == "limit: exact, receiver's plane")
             limit = line;
     }
-    Best filtered, any;
+    Best filtered, once, any;
     for (auto& [bits, lines] : byBits)
     {
         std::stable_sort(lines.begin(), lines.end(),
@@ -212,17 +212,21 @@ void printWidth(const std::vector<const Measurement*>& measurements, const Colum
         if (lines.empty())
             continue;
         printHeader(columns, bits > 0 ? std::to_string(bits) + " bits" : "limits", out);
-        filtered.ours = any.ours = nullptr;
+        filtered.ours = once.ours = any.ours = nullptr;
         for (const Line& line : lines)
         {
             printLine(columns, line.technique->technique + (line.technique->peer ? " (peer)" : ""), line.row, 4, out);
             if (bits == 0)
                 continue;
             any.consider(line, columns);
-            if (line.technique->reading == Reading::Bilinear && line.technique->variant.tapsAcross == 1)
+            const bool isOnce = line.technique->variant.tapsAcross == 1;
+            if (isOnce && line.technique->reading == Reading::Bilinear)
                 filtered.consider(line, columns);
+            if (isOnce && line.technique->reading != Reading::Window)
+                once.consider(line, columns);
         }
         filtered.print("one tap", columns, limit, out);
+        once.print("stored, no taps", columns, limit, out);
         any.print("anything", columns, limit, out);
     }
 }
@@ -232,17 +236,25 @@ void printWidth(const std::vector<const Measurement*>& measurements, const Colum
 void printTables(const Run& run, std::ostream& out)
 {
     const Columns columns(run.measurements);
-    std::map<int, std::vector<const Measurement*>> byWidth;
+    std::map<std::string, std::vector<const Measurement*>> byTerms;
+    std::vector<std::string> order;
     for (const Measurement& m : run.measurements)
-        byWidth[m.width].push_back(&m);
+    {
+        std::string terms = "Width " + std::to_string(m.window.width);
+        if (m.footprint.minified())
+            terms += ", footprint " + std::to_string(m.footprint.length) + " by 1/" + std::to_string(m.footprint.stretch);
+        if (byTerms[terms].empty())
+            order.push_back(terms);
+        byTerms[terms].push_back(&m);
+    }
     out << "RMSE against exact filtered visibility, weighted by n.l; settings chosen in other lights or of another "
            "seed."
            "\nMeshes: mean over the lights. "
         << run.size << " x " << run.size << " texels, seed " << run.seed << ".\n";
-    for (const auto& [width, measurements] : byWidth)
+    for (const std::string& terms : order)
     {
-        out << "\nWidth " << width << "\n";
-        printWidth(measurements, columns, out);
+        out << "\n" << terms << "\n";
+        printWidth(byTerms[terms], columns, out);
     }
 }
 

@@ -169,7 +169,7 @@ support::Result<Mesh> modelWorld(const std::string& path)
     return mesh;
 }
 
-Scene meshScene(const std::string& worldName, const Mesh& mesh, const std::string& lightName, int size)
+Light meshLight(const Mesh& mesh, const std::string& lightName, int size, float turned)
 {
     const NamedLight* chosen = &kLights[0];
     for (const NamedLight& light : kLights)
@@ -177,9 +177,13 @@ Scene meshScene(const std::string& worldName, const Mesh& mesh, const std::strin
         if (lightName == light.name)
             chosen = &light;
     }
-    const Light light = chosen->spot ? Light::spot(mesh, chosen->elevation, chosen->azimuth, size)
-                                     : Light::directional(mesh, chosen->elevation, chosen->azimuth, size);
-    return {worldName + "-" + lightName, depthPeel(mesh, light, size), true};
+    return chosen->spot ? Light::spot(mesh, chosen->elevation, chosen->azimuth + turned, size)
+                        : Light::directional(mesh, chosen->elevation, chosen->azimuth + turned, size);
+}
+
+Scene meshScene(const std::string& worldName, const Mesh& mesh, const std::string& lightName, int size)
+{
+    return {worldName + "-" + lightName, depthPeel(mesh, meshLight(mesh, lightName, size), size), true};
 }
 
 } // namespace lvsm::quality

@@ -21,6 +21,9 @@ support::Result<Mesh> world(const std::string& name, unsigned seed);
 /// The user's own model, beside a fence.
 support::Result<Mesh> modelWorld(const std::string& path);
 
+/// A light of lightNames on a mesh, turned by so many degrees around the vertical.
+Light meshLight(const Mesh& mesh, const std::string& lightName, int size, float turned = 0.0f);
+
 Scene meshScene(const std::string& worldName, const Mesh& mesh, const std::string& lightName, int size);
 
 } // namespace lvsm::quality

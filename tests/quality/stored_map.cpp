@@ -4,7 +4,6 @@
 
 #include <lvsm/receiver.hpp>
 
-#include "filter.hpp"
 
 namespace lvsm::quality
 {
@@ -14,13 +13,13 @@ namespace
 constexpr std::size_t kMostChannels = 64;
 constexpr int kMostTapsAcross = 5;
 
-/// Width of the filter that leaves the rest of the window to the taps, and to what a bilinear sample between texels, or
-/// a texel for 2 x 2, filters by itself.
-int blurWidth(int width, const Variant& variant)
+/// How often a map is halved for a footprint: as long as it is wide, no level in between.
+int levelOf(const Footprint& footprint)
 {
-    const int across = variant.tapsAcross;
-    const int left = across % 2 == 1 ? width - across + 1 : width - across;
-    return std::max(1, variant.half ? left - 2 : left);
+    int level = 0;
+    while (static_cast<float>(2 << level) <= footprint.across())
+        ++level;
+    return level;
 }
 
 } // namespace
@@ -28,15 +27,16 @@ int blurWidth(int width, const Variant& variant)
 std::string Variant::suffix() const
 {
     const std::string taps = tapsAcross == 1 ? "" : ", " + std::to_string(tapsAcross * tapsAcross) + " taps";
-    return taps + (half ? ", half" : "");
+    return taps + (half ? ", half" : "") + (decoded ? ", four decodes" : "");
 }
 
-std::vector<Variant> variantsOf(const Technique& technique, int width)
+std::vector<Variant> variantsOf(const Technique& technique, const Window& window)
 {
     std::vector<Variant> variants{{1, false}};
-    if (!technique.variants)
-        return variants;
-    for (int across = 1; across <= std::min(width, kMostTapsAcross); ++across)
+    if (technique.own)
+        return {{1, false}, {1, true}, {1, false, true}, {1, true, true}};
+    const int most = !technique.variants ? 0 : window.tree ? 1 : kMostTapsAcross;
+    for (int across = 1; across <= std::min(window.width, most); ++across)
     {
         if (across > 1)
             variants.push_back({across, false});
@@ -45,21 +45,33 @@ std::vector<Variant> variantsOf(const Technique& technique, int width)
     return variants;
 }
 
-MapMaker::MapMaker(const Technique& technique, const Scene& scene, int width, Rounding rounding)
-    : m_technique(technique), m_scene(scene), m_kernel(binomialKernel(width)), m_rounding(rounding),
-      m_estimator(technique.prepare({scene.peel, m_kernel}))
+MapMaker::MapMaker(const Technique& technique, const Scene& scene, const Window& window, Rounding rounding,
+                   const Footprint& footprint)
+    : m_technique(technique), m_scene(scene), m_window(window), m_rounding(rounding), m_footprint(footprint)
 {
+    if (!technique.own)
+        m_estimator = technique.prepare({scene.peel, window, footprint});
 }
 
-Image MapMaker::make(int width, bool half)
+std::shared_ptr<const Estimator> MapMaker::estimator(int level)
 {
-    const bool isFiltered = m_technique.reading != Reading::Window;
+    if (!m_technique.own)
+        return m_estimator;
+    std::shared_ptr<const Estimator>& found = m_own[level];
+    if (found == nullptr)
+        found = m_technique.prepare({m_scene.peel, m_window, m_footprint, level});
+    return found;
+}
+
+Image MapMaker::make(const std::vector<double>& kernel, int level)
+{
+    const bool isFiltered = m_technique.channels > 0 && m_technique.reading != Reading::Window;
     const Format between = m_rounding == Rounding::Once ? Format::Fp32 : m_technique.format;
-    auto found = m_blurred.find(width);
+    auto found = m_blurred.find(kernel);
     if (found == m_blurred.end())
     {
         Image image(m_scene.peel.size(), m_technique.channels);
-        for (int y = 0; y < image.size(); ++y)
+        for (int y = 0; m_technique.channels > 0 && y < image.size(); ++y)
         {
             for (int x = 0; x < image.size(); ++x)
             {
@@ -69,11 +81,13 @@ Image MapMaker::make(int width, bool half)
                     texel[c] = stored(texel[c], between);
             }
         }
-        if (isFiltered && width > 1)
-            blur(image, binomialKernel(width), between);
-        found = m_blurred.emplace(width, std::move(image)).first;
+        if (isFiltered && kernel.size() > 1)
+            blur(image, kernel, between);
+        found = m_blurred.emplace(kernel, std::move(image)).first;
     }
-    Image image = half ? halved(found->second) : found->second;
+    Image image = found->second;
+    for (int i = 0; i < level && m_technique.reading != Reading::Window; ++i)
+        image = halved(image);
     for (int y = 0; isFiltered && y < image.size(); ++y)
     {
         for (int x = 0; x < image.size(); ++x)
@@ -88,73 +102,104 @@ Image MapMaker::make(int width, bool half)
 }
 
 StoredMap::StoredMap(MapMaker& maker, const Variant& variant)
-    : m_technique(maker.m_technique), m_variant(variant), m_scale(variant.half ? 2.0f : 1.0f),
-      m_roundings(maker.m_rounding == Rounding::Once ? 1.0f : 3.0f), m_taps(binomialKernel(variant.tapsAcross)),
-      m_estimator(*maker.m_estimator), m_image(1, 1)
+    : m_technique(maker.m_technique), m_variant(variant),
+      m_reading(variant.decoded ? Reading::Decoded : m_technique.reading), m_footprint(maker.m_footprint),
+      m_level(m_reading == Reading::Window ? 0 : std::max(levelOf(m_footprint), variant.half ? 1 : 0)),
+      m_scale(static_cast<float>(1 << m_level)), m_roundings(maker.m_rounding == Rounding::Once ? 1.0f : 3.0f),
+      m_taps(binomialKernel(variant.tapsAcross)), m_estimator(maker.estimator(m_level)), m_image(1, 1)
 {
-    const int width = blurWidth(static_cast<int>(maker.m_kernel.size()), variant);
-    const double blurred = deviationOf(binomialKernel(width));
-    m_deviation = static_cast<float>(std::sqrt(blurred * blurred + (variant.half ? 0.25 : 0.0)));
-    m_image = maker.make(width, variant.half);
+    // The footprint's own level is no filter that the window has to do without.
+    const std::vector<double> kernel = maker.m_window.before(variant.tapsAcross, variant.half);
+    const double blurred = deviationOf(kernel);
+    const double box = (static_cast<double>(m_scale * m_scale) - 1.0) / 12.0;
+    m_deviation = static_cast<float>(std::sqrt(blurred * blurred + box));
+    m_image = maker.make(kernel, m_level);
+}
+
+int StoredMap::samples() const
+{
+    return std::max(1, m_footprint.length >> m_level);
 }
 
 float StoredMap::at(glm::vec2 place, glm::ivec2 texel, const float* channels, const Receiver& receiver,
-                    const Setting& setting, float depth) const
+                    const Setting& setting, float depth, int samples) const
 {
     const glm::vec2 gradient = receiver.surface.gradient;
     const float reach = 0.5f * std::sqrt(setting.slopeFloor) * m_deviation; // the floor is of 4 deviations^2
-    return m_estimator.visibility({m_image, channels, texel.x, texel.y, place - glm::vec2(texel), depth,
-                                   m_scale * gradient, m_deviation / m_scale,
-                                   receiverMinVariance(0.0f, gradient, reach),
-                                   setting.storedFloor * m_roundings * depthErrorOf(m_technique.format), setting.bias,
-                                   m_technique.contact ? setting.bleeding : 0.0f});
+    return m_estimator->visibility({m_image, channels, texel.x, texel.y, place - glm::vec2(texel), depth,
+                                    m_scale * gradient, m_deviation / m_scale,
+                                    receiverMinVariance(0.0f, gradient, reach),
+                                    setting.storedFloor * m_roundings * depthErrorOf(m_technique.format), setting.bias,
+                                    m_technique.contact ? setting.bleeding : 0.0f, stride(receiver), samples,
+                                    receiver.direction});
 }
 
-float StoredMap::tap(const Receiver& receiver, const Setting& setting, float depth, glm::vec2 away) const
+glm::vec2 StoredMap::stride(const Receiver& receiver) const
 {
-    // The centre of the first texel of what is stored is at 0.5 where it stands for 2 x 2.
+    const float length = static_cast<float>(m_footprint.length);
+    return length / (static_cast<float>(samples()) * m_scale) * receiver.direction;
+}
+
+float StoredMap::tap(const Receiver& receiver, const Setting& setting, float depth, glm::vec2 away, int samples) const
+{
+    // The centre of the first texel of what is stored is in the middle of those that it stands for.
     const glm::vec2 full = glm::vec2(receiver.x, receiver.y) + receiver.offset + away;
-    const glm::vec2 place = m_variant.half ? 0.5f * (full - 0.5f) : full;
+    const glm::vec2 place = (full - 0.5f * (m_scale - 1.0f)) / m_scale;
     const glm::ivec2 nearest(glm::floor(place + 0.5f));
-    if (m_technique.reading == Reading::Window)
-        return at(place, nearest, m_image.texel(nearest.x, nearest.y), receiver, setting, depth);
+    if (m_reading == Reading::Window || m_reading == Reading::Nearest)
+        return at(place, nearest, m_image.texel(nearest.x, nearest.y), receiver, setting, depth, 1);
+
+    if (m_reading == Reading::Bilinear)
+    {
+        std::array<float, kMostChannels> sample{};
+        for (int i = 0; i < samples; ++i)
+        {
+            const float along = static_cast<float>(i) - 0.5f * static_cast<float>(samples - 1);
+            for (int c = 0; c < m_technique.channels; ++c)
+                sample[static_cast<std::size_t>(c)] += m_image.bilinear(place + along * stride(receiver), c) /
+                                                       static_cast<float>(samples);
+        }
+        return at(place, nearest, sample.data(), receiver, setting, depth, samples);
+    }
 
     const glm::ivec2 low(glm::floor(place));
     const glm::vec2 f = place - glm::vec2(low);
     const float weights[] = {(1.0f - f.x) * (1.0f - f.y), f.x * (1.0f - f.y), (1.0f - f.x) * f.y, f.x * f.y};
-    std::array<float, kMostChannels> sample{};
     float sum = 0.0f;
     for (int i = 0; i < 4; ++i)
     {
-        const float weight = weights[i];
         const glm::ivec2 texel = low + glm::ivec2(i % 2, i / 2);
-        const float* channels = m_image.texel(texel.x, texel.y);
-        if (m_technique.reading == Reading::Bilinear)
-        {
-            for (int c = 0; c < m_technique.channels; ++c)
-                sample[static_cast<std::size_t>(c)] += weight * channels[c];
-        }
-        else if (weight > 0.0f)
-        {
-            const glm::vec2 away4 = m_scale * (glm::vec2(texel) - place);
-            const float there = planeDepth(depth, receiver.surface.gradient, away4);
-            sum += weight * at(glm::vec2(texel), texel, channels, receiver, setting, there);
-        }
+        const float there =
+            planeDepth(depth, receiver.surface.gradient, m_scale * (glm::vec2(texel) - place));
+        if (weights[i] > 0.0f)
+            sum += weights[i] *
+                   at(glm::vec2(texel), texel, m_image.texel(texel.x, texel.y), receiver, setting, there, 1);
     }
-    if (m_technique.reading == Reading::Decoded)
-        return sum;
-    return at(place, nearest, sample.data(), receiver, setting, depth);
+    return sum;
 }
 
 float StoredMap::estimate(const Receiver& receiver, const Setting& setting) const
 {
     const glm::vec2 gradient = receiver.surface.gradient;
     const float depth = shiftReceiver(receiver.depth(), gradient, setting.shift);
-    if (m_variant.tapsAcross == 1)
+    if (m_reading == Reading::Window || (m_variant.tapsAcross == 1 && samples() == 1))
         return tap(receiver, setting, depth, glm::vec2(0.0f));
+    if (m_reading == Reading::Bilinear && samples() > 1)
+        return tap(receiver, setting, depth, glm::vec2(0.0f), samples());
+
+    double sum = 0.0;
+    if (samples() > 1)
+    {
+        for (int i = 0; i < samples(); ++i)
+        {
+            const float along = static_cast<float>(i) - 0.5f * static_cast<float>(samples() - 1);
+            const glm::vec2 away = along * m_scale * stride(receiver);
+            sum += static_cast<double>(tap(receiver, setting, planeDepth(depth, gradient, away), away)) / samples();
+        }
+        return static_cast<float>(sum);
+    }
     const int across = m_variant.tapsAcross;
     const float middle = 0.5f * static_cast<float>(across - 1);
-    double sum = 0.0;
     for (int i = 0; i < across * across; ++i)
     {
         const int x = i % across, y = i / across;

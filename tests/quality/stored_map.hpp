@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 
 #include "techniques.hpp"
 #include "truth.hpp"
@@ -12,17 +13,19 @@ namespace lvsm::quality
 {
 
 /// A freedom that every technique has: n x n taps on a map that is filtered less, so that the window stays the same; and
-/// half resolution, one texel for 2 x 2 of the filtered map. Read bilinearly, both weigh nearly as one tap does.
+/// half resolution, one texel for 2 x 2 of the filtered map. Read bilinearly, both weigh nearly as one tap does. What is
+/// read from the nearest texel may also be decided at four texels and mixed.
 struct Variant
 {
     int tapsAcross = 1;
     bool half = false;
+    bool decoded = false;
 
     std::string suffix() const;
 };
 
 /// Those that a window bears.
-std::vector<Variant> variantsOf(const Technique& technique, int width);
+std::vector<Variant> variantsOf(const Technique& technique, const Window& window);
 
 /// How each technique is treated for slope, rounding and bleeding.
 struct Setting
@@ -48,20 +51,23 @@ enum class Rounding
 class MapMaker
 {
 public:
-    MapMaker(const Technique& technique, const Scene& scene, int width, Rounding rounding);
-
-    const std::vector<double>& kernel() const { return m_kernel; }
+    MapMaker(const Technique& technique, const Scene& scene, const Window& window, Rounding rounding,
+             const Footprint& footprint = {});
 
 private:
     friend class StoredMap;
-    Image make(int blurWidth, bool half);
+    Image make(const std::vector<double>& kernel, int level);
+    /// For a map of that level, where the technique filters by itself.
+    std::shared_ptr<const Estimator> estimator(int level);
 
     const Technique& m_technique;
     const Scene& m_scene;
-    std::vector<double> m_kernel;
+    Window m_window;
     Rounding m_rounding;
-    std::unique_ptr<Estimator> m_estimator;
-    std::map<int, Image> m_blurred; ///< by width; in fp32 where it is rounded once
+    Footprint m_footprint;
+    std::shared_ptr<const Estimator> m_estimator;
+    std::map<int, std::shared_ptr<const Estimator>> m_own; ///< by level
+    std::map<std::vector<double>, Image> m_blurred; ///< in fp32 where it is rounded once
 };
 
 /// One variant's map.
@@ -70,21 +76,30 @@ class StoredMap
 public:
     StoredMap(MapMaker& maker, const Variant& variant);
 
+    /// How often the map is sampled or a decision made along the footprint, which is stretched.
+    int samples() const;
+
     /// The visibility before light bleeding reduction, unless the technique has its own.
     float estimate(const Receiver& receiver, const Setting& setting) const;
 
 private:
-    float tap(const Receiver& receiver, const Setting& setting, float depth, glm::vec2 away) const;
+    /// One decision at a place that is so far from the receiver's; for what is filtered by a look-up of so many samples.
+    float tap(const Receiver& receiver, const Setting& setting, float depth, glm::vec2 away, int samples = 1) const;
     float at(glm::vec2 place, glm::ivec2 texel, const float* channels, const Receiver& receiver, const Setting& setting,
-             float depth) const;
+             float depth, int samples) const;
+    /// Between the samples along the footprint, in texels of what is stored.
+    glm::vec2 stride(const Receiver& receiver) const;
 
     const Technique& m_technique;
     Variant m_variant;
+    Reading m_reading;
+    Footprint m_footprint;
+    int m_level;
     float m_scale; ///< texels of the shadow map over one of what is stored
     float m_roundings;
     float m_deviation; ///< in texels of the shadow map
     std::vector<double> m_taps;
-    const Estimator& m_estimator;
+    std::shared_ptr<const Estimator> m_estimator;
     Image m_image;
 };
 

@@ -7,7 +7,7 @@ std::vector<Technique> allTechniques()
 {
     std::vector<Technique> all;
     for (const auto& part :
-         {varianceTechniques(), otherPeers(), pcfPeers(), momentTechniques(), layeredTechniques(), limits()})
+         {varianceTechniques(), otherPeers(), pcfPeers(), momentTechniques(), layeredTechniques(), mixtureTechniques(), limits()})
     {
         all.insert(all.end(), part.begin(), part.end());
     }

@@ -3,12 +3,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "formats.hpp"
-#include "image.hpp"
-#include "peel.hpp"
+#include "filter.hpp"
+#include "truth.hpp"
 
 namespace lvsm::quality
 {
@@ -17,7 +17,7 @@ namespace lvsm::quality
 struct Query
 {
     const Image& image;   ///< what is stored, filtered and coded
-    const float* texel;   ///< a bilinear sample of it there; the texel itself for what is not filterable
+    const float* texel;   ///< a sample of it there; the texel itself for what is not filterable
     int x, y;             ///< the texel whose centre is nearest
     glm::vec2 offset;     ///< from that centre, in texels
     float depth;          ///< the receiver's, moved towards the light
@@ -27,16 +27,19 @@ struct Query
     float storedVariance; ///< floor that the format's rounding asks for, in the square of what is stored in [0,1]
     float bias;           ///< times the bias that rounding asks for
     float contact;        ///< light bleeding reduction inside the estimate, for what has it
+    glm::vec2 stride;     ///< between the samples of an anisotropic look-up, in texels of the image
+    int samples;          ///< of an anisotropic look-up; 1 is a bilinear sample
+    glm::vec2 direction;  ///< of the receiver's footprint
 
-    /// A bilinear sample of one channel, so many texels away.
+    /// A sample of one channel, so many texels away.
     float sample(int dx, int dy, int channel) const
     {
-        const glm::ivec2 low{x + dx - (offset.x < 0.0f ? 1 : 0), y + dy - (offset.y < 0.0f ? 1 : 0)};
-        const glm::vec2 f = offset - glm::floor(offset);
-        const float top = glm::mix(image.texel(low.x, low.y)[channel], image.texel(low.x + 1, low.y)[channel], f.x);
-        const float bottom =
-            glm::mix(image.texel(low.x, low.y + 1)[channel], image.texel(low.x + 1, low.y + 1)[channel], f.x);
-        return glm::mix(top, bottom, f.y);
+        float sum = 0.0f;
+        const glm::vec2 centre = glm::vec2(x, y) + offset + glm::vec2(dx, dy);
+        for (int i = 0; i < samples; ++i)
+            sum += image.bilinear(centre + (static_cast<float>(i) - 0.5f * static_cast<float>(samples - 1)) * stride,
+                                  channel);
+        return sum / static_cast<float>(samples);
     }
 };
 
@@ -55,7 +58,9 @@ public:
 struct Map
 {
     const Peel& peel;
-    const std::vector<double>& kernel; ///< the whole window's
+    Window window;
+    Footprint footprint = {};
+    int level = 0; ///< a texel for 1, 2 x 2, 4 x 4, ... of the shadow map; for what filters by itself
 };
 
 /// How what is stored is read between texels.
@@ -63,7 +68,14 @@ enum class Reading
 {
     Bilinear, ///< by hardware, or four fetches and a mix
     Decoded,  ///< four decisions, mixed
+    Nearest,  ///< one decision from the nearest texel, which moves it to the receiver's place
     Window    ///< of depths as they are: the estimate reads the whole window itself, and nothing is filtered
+};
+
+/// What a technique that filters by itself is judged with, which its documents derive; nothing is chosen for it.
+struct Own
+{
+    float shift; ///< of the receiver
 };
 
 /// A technique. To add one: an Estimator in techniques_KIND.cpp, and its rows in allTechniques().
@@ -81,6 +93,7 @@ struct Technique
     bool bias = false;     ///< whether the bias against rounding may be chosen, as a floor is
     bool contact = false;  ///< whether light bleeding is reduced inside the estimate, not afterwards
     bool variants = false; ///< also with 4, 9, 16 and 25 taps, and at half resolution
+    std::optional<Own> own = {}; ///< filters by itself: prepared anew for each variant, of which it has half resolution
 };
 
 /// Everything that is measured, limits last.
@@ -92,6 +105,7 @@ std::vector<Technique> otherPeers();         // ESM, CSM
 std::vector<Technique> pcfPeers();           // PCF
 std::vector<Technique> momentTechniques();   // MSM4, quantised and in layers; trigonometric
 std::vector<Technique> layeredTechniques();  // LVSM, as in the paper and bracketed
+std::vector<Technique> mixtureTechniques();  // planes, merged
 std::vector<Technique> limits();
 
 /// A convolution shadow map of so many terms, with their attenuation; offset, or scaled to full light.

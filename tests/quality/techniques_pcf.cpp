@@ -44,20 +44,23 @@ protected:
 class WholeWindow : public Depths
 {
 public:
-    WholeWindow(const std::vector<double>& kernel, bool plane) : m_kernel(kernel), m_plane(plane) {}
+    WholeWindow(const Map& map, bool plane)
+        : m_kernel(map.window.kernel()), m_footprint(map.footprint), m_plane(plane)
+    {
+    }
 
     float visibility(const Query& q) const override
     {
-        const ShiftedKernel x(m_kernel, q.offset.x);
-        const ShiftedKernel y(m_kernel, q.offset.y);
+        const PlacedWindow window(m_kernel, q.offset, m_footprint, q.direction);
         double lit = 0.0;
-        for (int dy = y.first(); dy <= y.last(); ++dy)
+        for (int dy = window.first(); dy <= window.last(); ++dy)
         {
-            for (int dx = x.first(); dx <= x.last(); ++dx)
+            for (int dx = window.first(); dx <= window.last(); ++dx)
             {
+                const double weight = window.weight(dx, dy);
                 const float own = m_plane ? planeAt(q, dx, dy) : q.depth;
-                lit +=
-                    x.weight(dx) * y.weight(dy) * static_cast<double>(depthTest(depthAt(q, dx, dy), own, kSameDepth));
+                if (weight > 0.0)
+                    lit += weight * static_cast<double>(depthTest(depthAt(q, dx, dy), own, kSameDepth));
             }
         }
         return static_cast<float>(lit);
@@ -65,6 +68,7 @@ public:
 
 private:
     std::vector<double> m_kernel;
+    Footprint m_footprint;
     bool m_plane;
 };
 
@@ -89,11 +93,20 @@ private:
     int m_width;
 };
 
-/// Bilinear depth tests at sixteen places of a disc of the filter's deviation, turned by a hash of the receiver's place.
+/// Bilinear depth tests at sixteen places of a disc of the filter's deviation, or of an ellipse where the footprint adds
+/// its own, turned by a hash of the receiver's place.
 class Disc : public Depths
 {
 public:
-    explicit Disc(float deviation) : m_radius(2.0f * deviation) {}
+    explicit Disc(const Map& map)
+    {
+        const float filter = static_cast<float>(deviationOf(map.window.kernel()));
+        const auto reach = [&](float breadth)
+        {
+            return 2.0f * std::sqrt(filter * filter + (map.footprint.minified() ? breadth * breadth / 12.0f : 0.0f));
+        };
+        m_reach = {reach(static_cast<float>(map.footprint.length)), reach(map.footprint.across())};
+    }
     float visibility(const Query& q) const override
     {
         constexpr int kSamples = 16;
@@ -105,14 +118,15 @@ public:
         for (int i = 0; i < kSamples; ++i)
         {
             const float angle = turn + kGoldenAngle * static_cast<float>(i);
-            const float radius = m_radius * std::sqrt((static_cast<float>(i) + 0.5f) / kSamples);
-            sum += bilinear(q, radius * glm::vec2(std::cos(angle), std::sin(angle)));
+            const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / kSamples);
+            const glm::vec2 p = radius * m_reach * glm::vec2(std::cos(angle), std::sin(angle));
+            sum += bilinear(q, p.x * q.direction + p.y * glm::vec2(-q.direction.y, q.direction.x));
         }
         return sum / kSamples;
     }
 
 private:
-    float m_radius;
+    glm::vec2 m_reach;
 };
 
 Technique depths(const std::string& name, bool peer, const std::string& estimate,
@@ -127,7 +141,7 @@ std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
 {
     return [plane](const Map& map)
     {
-        return std::make_unique<WholeWindow>(map.kernel, plane);
+        return std::make_unique<WholeWindow>(map, plane);
     };
 }
 
@@ -137,7 +151,7 @@ std::vector<Technique> pcfPeers()
 {
     return {depths("PCF, whole window", true, "PCF whole window", whole(true)),
             depths("PCF, 16 turned samples", true, "",
-                   [](const Map& map) { return std::make_unique<Disc>(static_cast<float>(deviationOf(map.kernel))); }),
+                   [](const Map& map) { return std::make_unique<Disc>(map); }),
             depths("PCF, 3 x 3", true, "", fixed<Box>(3)), depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
 }
 

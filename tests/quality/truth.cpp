@@ -15,23 +15,51 @@ namespace
 // Between two points a surface may be steeper than at both: by this share of their slopes.
 constexpr float kRoom = 0.25f;
 
-void judge(const Scene& scene, const std::vector<double>& kernel, Receiver& receiver)
+} // namespace
+
+PlacedWindow::PlacedWindow(const std::vector<double>& kernel, glm::vec2 offset, const Footprint& footprint,
+                           glm::vec2 direction)
+    : m_first(-static_cast<int>(kernel.size()) / 2 - 1 - (footprint.minified() ? footprint.length : 0)),
+      m_size(1 - 2 * m_first), m_weights(static_cast<std::size_t>(m_size) * static_cast<std::size_t>(m_size))
 {
-    const ShiftedKernel x(kernel, receiver.offset.x);
-    const ShiftedKernel y(kernel, receiver.offset.y);
+    // A place for each texel's length and width of the footprint, all with the same share.
+    const int along = footprint.length;
+    const int across = std::max(1, footprint.length / footprint.stretch);
+    const float breadth = footprint.minified() ? footprint.across() : 1.0f;
+    for (int i = 0; i < along * across; ++i)
+    {
+        const float u = static_cast<float>(i % along) - 0.5f * static_cast<float>(along - 1);
+        const float v = breadth * ((static_cast<float>(i / along) + 0.5f) / static_cast<float>(across) - 0.5f);
+        const glm::vec2 place = offset + u * direction + v * glm::vec2(-direction.y, direction.x);
+        const ShiftedKernel x(kernel, place.x);
+        const ShiftedKernel y(kernel, place.y);
+        for (int dy = y.first(); dy <= y.last(); ++dy)
+        {
+            for (int dx = x.first(); dx <= x.last(); ++dx)
+                m_weights[static_cast<std::size_t>(dy - m_first) * static_cast<std::size_t>(m_size) +
+                          static_cast<std::size_t>(dx - m_first)] += x.weight(dx) * y.weight(dy) / (along * across);
+        }
+    }
+}
+
+void judge(const Scene& scene, const std::vector<double>& kernel, const Footprint& footprint, Receiver& receiver)
+{
+    const PlacedWindow window(kernel, receiver.offset, footprint, receiver.direction);
     const Surface& surface = receiver.surface;
     double lit = 0.0;
     double occluded = 0.0;
     double distance = 0.0;
-    for (int dy = y.first(); dy <= y.last(); ++dy)
+    for (int dy = window.first(); dy <= window.last(); ++dy)
     {
-        for (int dx = x.first(); dx <= x.last(); ++dx)
+        for (int dx = window.first(); dx <= window.last(); ++dx)
         {
+            const double weight = window.weight(dx, dy);
+            if (!(weight > 0.0))
+                continue;
             const glm::ivec2 offset{dx, dy};
             const float own = scene.mesh ? ownDepth(scene.peel, surface, receiver.x, receiver.y, offset)
                                          : surface.depth + glm::dot(surface.gradient, glm::vec2(offset));
             const float map = scene.peel.nearest(receiver.x + dx, receiver.y + dy).depth;
-            const double weight = x.weight(dx) * y.weight(dy);
             if (map >= own - kSameDepth)
             {
                 lit += weight;
@@ -47,9 +75,8 @@ void judge(const Scene& scene, const std::vector<double>& kernel, Receiver& rece
     receiver.occluderDistance = static_cast<float>(occluded > 0.0 ? distance / occluded : 0.0);
 }
 
-} // namespace
-
-void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers)
+void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers,
+              const Footprint& footprint)
 {
     constexpr std::size_t kBatch = 1024;
     parallelFor((receivers.size() + kBatch - 1) / kBatch,
@@ -57,7 +84,7 @@ void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector
                 {
                     const std::size_t stop = std::min(receivers.size(), (batch + 1) * kBatch);
                     for (std::size_t i = batch * kBatch; i < stop; ++i)
-                        judge(scene, kernel, receivers[i]);
+                        judge(scene, kernel, footprint, receivers[i]);
                 });
 }
 
@@ -91,7 +118,8 @@ float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ive
 std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>& kernel, const Choice& choice)
 {
     constexpr unsigned kThinningSeed = 9;
-    const int margin = static_cast<int>(kernel.size()) / 2 + 5; // a tap, a neighbour, half resolution
+    const int margin = static_cast<int>(kernel.size()) / 2 + 5 + // a tap, a neighbour, half resolution
+                       (choice.footprint.minified() ? 2 * choice.footprint.length : 0);
     const int last = scene.peel.size() - 1 - margin;
 
     std::mt19937 random(kThinningSeed);
@@ -124,7 +152,12 @@ std::vector<Receiver> receiversOf(const Scene& scene, const std::vector<double>&
     for (std::size_t i = 0; i < count; ++i)
         std::swap(receivers[i], receivers[i + random() % (receivers.size() - i)]);
     receivers.resize(count);
-    judgeAll(scene, kernel, receivers);
+    for (std::size_t i = 0; choice.footprint.minified() && i < count; ++i)
+    {
+        const float angle = 6.2831853f * uniform();
+        receivers[i].direction = {std::cos(angle), std::sin(angle)};
+    }
+    judgeAll(scene, kernel, receivers, choice.footprint);
     return receivers;
 }
 

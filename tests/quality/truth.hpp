@@ -9,6 +9,37 @@
 namespace lvsm::quality
 {
 
+/// The part of the map that a pixel sees, as long as so many texels and so many times narrower. One texel is none.
+struct Footprint
+{
+    int length = 1;
+    int stretch = 1;
+
+    float across() const { return static_cast<float>(length) / static_cast<float>(stretch); }
+    bool minified() const { return length > 1; }
+};
+
+/// A filter window around a place, with the footprint there: the share of each texel.
+class PlacedWindow
+{
+public:
+    /// offset: from a texel's centre, in texels. direction: of the footprint's length.
+    PlacedWindow(const std::vector<double>& kernel, glm::vec2 offset, const Footprint& footprint, glm::vec2 direction);
+
+    int first() const { return m_first; }
+    int last() const { return m_first + m_size - 1; }
+    double weight(int x, int y) const
+    {
+        return m_weights[static_cast<std::size_t>(y - m_first) * static_cast<std::size_t>(m_size) +
+                         static_cast<std::size_t>(x - m_first)];
+    }
+
+private:
+    int m_first;
+    int m_size;
+    std::vector<double> m_weights;
+};
+
 /// A place on a surface to be shaded, anywhere between texels, with its exact visibility.
 struct Receiver
 {
@@ -17,6 +48,7 @@ struct Receiver
     Surface surface;        ///< at the texel's centre; the receiver is on its plane
     float visibility;       ///< the filter-weighted share of the window that is not in front of the receiver's surface
     float occluderDistance; ///< mean depth from the taps that are in front to the surface behind them; 0 where none is
+    glm::vec2 direction = {1.0f, 0.0f}; ///< of the length of its footprint
 
     float depth() const { return surface.depth + glm::dot(surface.gradient, offset); }
 };
@@ -33,13 +65,15 @@ const Surface* ownSurface(const Peel& peel, const Surface& receiver, int x, int 
 float ownDepth(const Peel& peel, const Surface& receiver, int x, int y, glm::ivec2 offset);
 
 /// Works out the visibility and occluder distance of receivers whose place and surface are known.
-void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers);
+void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers,
+              const Footprint& footprint = {});
 
 /// Which receivers of a scene are measured.
 struct Choice
 {
-    bool centred = false;                                       ///< on texel centres, not anywhere between them
+    bool centred = false; ///< on texel centres, not anywhere between them
     std::size_t most = std::numeric_limits<std::size_t>::max(); ///< evenly spread among all
+    Footprint footprint = {};
 };
 
 /// Light-facing surfaces of every texel that is more than the filter's radius away from the border.
