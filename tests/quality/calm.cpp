@@ -34,10 +34,14 @@ struct Motion
 const std::vector<Motion> kMotions{
     {"grid moves", 16,
      [](const Mesh& mesh, const std::string& name, int size, int frame)
-     { return meshLight(mesh, name, size).moved(0.25 * glm::dvec2(frame % 4, frame / 4)); }},
+     {
+         return meshLight(mesh, name, size).moved(0.25 * glm::dvec2(frame % 4, frame / 4));
+     }},
     {"light turns", 64,
      [](const Mesh& mesh, const std::string& name, int size, int frame)
-     { return meshLight(mesh, name, size, 0.1f * static_cast<float>(frame)); }},
+     {
+         return meshLight(mesh, name, size, 0.1f * static_cast<float>(frame));
+     }},
 };
 
 struct Options

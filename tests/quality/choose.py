@@ -31,10 +31,10 @@ def add_costs(techniques):
         if estimate not in costs:
             raise SystemExit(f"{COSTS} has no estimate '{estimate}', which '{technique['name']}' is judged by")
         row = costs[estimate]
-        technique["instructions"] = decisions * row["instructions"]
-        technique["arithmetic"] = decisions * row["inverse_throughput"]
-        technique["cost"] = decisions * (row["inverse_throughput"] + row["load_inverse_throughput"])
-        technique["fetches"] = decisions * int(fetches[estimate])
+        technique["instructions"] = round(decisions * row["instructions"])
+        technique["arithmetic"] = round(decisions * row["inverse_throughput"])
+        technique["cost"] = round(decisions * (row["inverse_throughput"] + row["load_inverse_throughput"]))
+        technique["fetches"] = round(decisions * int(fetches[estimate]))
 
 
 def dominated(technique, others, axes):
@@ -122,12 +122,29 @@ def bits_table():
     return lines
 
 
+def best_wide(cost):
+    """The best of ours and the best peer at width 15 for no more cost."""
+    within = [t for t in techniques("15") if t["cost"] is not None and t["cost"] <= cost]
+    return [best([t for t in within if t["peer"] == whose]) for whose in (False, True)]
+
+
+def wide_ratio(cost):
+    ours, peer = best_wide(cost)
+    return error_of(ours) / error_of(peer)
+
+
+def one_sample_ratio(bits):
+    """The best of ours that hardware filters and that is judged once, over the best such peer, in no more bits."""
+    within = [t for t in techniques() if t["bits"] <= bits and one_tap(t)]
+    ours, peer = (best([t for t in within if t["peer"] == whose]) for whose in (False, True))
+    return error_of(ours) / error_of(peer)
+
+
 def wide_table():
     """At some costs, bits included in none."""
     lines = [["cost at most", "ours", "a peer, PCF included", "ours over the peer"]]
-    costed = [t for t in techniques("15") if t["cost"] is not None]
     for cost in (64, 128, 256, 512, 1024, 2048):
-        ours, peer = (best([t for t in costed if t["cost"] <= cost and t["peer"] == whose]) for whose in (False, True))
+        ours, peer = best_wide(cost)
         both = ours is not None and peer is not None
         lines.append([str(cost), shown(ours), shown(peer), f"{error_of(ours) / error_of(peer):.2f}" if both else "-"])
     return lines

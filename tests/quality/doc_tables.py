@@ -1,5 +1,6 @@
 """The recorded errors, as tests/docs/documents.py shows them; quality/recorded compares them with what is now."""
 import choose
+import mixture_tables
 import recorded
 from recorded import COLUMNS, MEAN, rmse
 
@@ -40,7 +41,7 @@ def results(bits):
             if t not in others or t in others[:3] or t in [o for o in others if not o["peer"]][:3]:
                 lines.append(line(t["name"], t["name"] + (" (peer)" if t["peer"] else "")))
         within = [t for t in recorded.techniques() if t["bits"] <= bits]
-        for what, wanted in (("one tap", choose.one_tap), ("anything", lambda t: True)):
+        for what, wanted in (("one tap", choose.one_tap), ("stored, no taps", mixture_tables.stored), ("anything", lambda t: True)):
             ours = best([t for t in here if not t["peer"] and wanted(t)])
             peer = best([t for t in within if t["peer"] and wanted(t)])
             if ours and peer:
@@ -91,8 +92,9 @@ def peers_of(bits):
 
 TABLES = {"quality.limits": limits, "quality.groups": groups,
           **{f"quality.bits{bits}": results(bits) for bits in choose.BUDGETS},
-          "choose.bits": choose.bits_table, "choose.wide": choose.wide_table, "choose.cost": choose.cost_table,
+          **mixture_tables.TABLES, "choose.bits": choose.bits_table, "choose.wide": choose.wide_table, "choose.cost": choose.cost_table,
           "choose.all": choose.full_table}
 NAMES = {"rmse": rmse, "ratio": ratio, "ratios": ratios, "share_of": share_of, "peers_of": peers_of,
-         "columns": COLUMNS, "seed": recorded.whole()["seed"]}
+         "columns": COLUMNS, "seed": recorded.whole()["seed"], "wide_ratio": choose.wide_ratio,
+         "one_sample_ratio": choose.one_sample_ratio, **mixture_tables.NAMES}
 FILES = {"docs/choose.svg": choose.picture}

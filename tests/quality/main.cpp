@@ -206,12 +206,9 @@ support::Result<Run> measureAll(const Options& options)
                     return support::Failure{"scene '" + light.scene.name + "' has nothing that faces the light"};
             }
             std::vector<std::vector<Measurement>> found(techniques.size());
-            parallelFor(techniques.size(),
-                        [&](std::size_t t)
-                        {
-                            found[t] = measure(techniques[t], lights, terms,
-                                               options.pictures.empty() ? Shown() : picture);
-                        });
+            parallelFor(
+                techniques.size(), [&](std::size_t t)
+                { found[t] = measure(techniques[t], lights, terms, options.pictures.empty() ? Shown() : picture); });
             if (problem)
                 return support::Failure{"--pictures: " + *problem};
             for (std::vector<Measurement>& of : found)
@@ -238,7 +235,8 @@ int main(int argc, char** argv)
         ->delimiter(',')
         ->capture_default_str();
     app.add_flag("--tree", options.tree, "Filters are windows of the tree of mixtures, of width 3, 7 or 15");
-    app.add_option("--footprint", options.footprint, "Length of a receiver's footprint in texels, and how often narrower")
+    app.add_option("--footprint", options.footprint,
+                   "Length of a receiver's footprint in texels, and how often narrower")
         ->check(CLI::Range(1, 16))
         ->delimiter(',')
         ->expected(2)

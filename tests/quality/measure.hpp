@@ -45,7 +45,7 @@ struct Measurement
     Variant variant;
     Window window = {0};
     Footprint footprint;
-    int samples = 1; ///< along a footprint that is stretched
+    int samples = 1;      ///< along a footprint that is stretched
     std::string estimate; ///< of one tap, in tests/cost/estimates.def
     std::string scene;
     bool mesh = false;

@@ -102,7 +102,8 @@ TEST_CASE("rounds of the tree make the windows that mixtures have, and binomial 
 TEST_CASE("a window with a footprint weighs what lies along and across it")
 {
     const glm::vec2 offset(0.3f, -0.2f);
-    for (const Footprint& footprint : {Footprint{}, Footprint{4, 1}, Footprint{16, 1}, Footprint{4, 8}, Footprint{16, 8}})
+    for (const Footprint& footprint :
+         {Footprint{}, Footprint{4, 1}, Footprint{16, 1}, Footprint{4, 8}, Footprint{16, 8}})
     {
         const float angle = 0.7f;
         const glm::vec2 direction(std::cos(angle), std::sin(angle));
@@ -296,8 +297,7 @@ TEST_CASE("settings are the best of the other lights, one member after the other
     }
     lights.back().isReported = false;
     // Without a shift the slope is its own shadow, with one of the filter's radius it is not, whatever is stored.
-    const Measurement exact =
-        measure(techniqueNamed("limit: exact distribution"), lights, {{kKernel}}).front();
+    const Measurement exact = measure(techniqueNamed("limit: exact distribution"), lights, {{kKernel}}).front();
     CHECK(exact.plainRmse > 0.01);
     CHECK(exact.all.rmse < 0.5 * exact.plainRmse);
     CHECK(exact.setting.shift == 3.0f);
@@ -400,7 +400,9 @@ TEST_CASE("taps and half resolution see the same window")
             {
                 MapMaker minified(technique, scene, {width}, Rounding::Once, footprint);
                 const Receiver receiver{30, 31, {0.3f, -0.2f}, {0.0f, {0.0f, 0.0f}, 1.0f}, 0.0f, 0.0f};
-                const double value = static_cast<double>(StoredMap(minified, {}).estimate(receiver, kPlainSetting));
+                const StoredMap map(minified, {});
+                CHECK(map.samples() == std::min(footprint.length, footprint.stretch));
+                const double value = static_cast<double>(map.estimate(receiver, kPlainSetting));
                 const double place = 30.3 * static_cast<double>(kStep);
                 if (channel == 0)
                 {
@@ -545,8 +547,8 @@ TEST_CASE("layers relative to the plane count a share of what is left in the lay
         }
     }
     const glm::vec2 flat(0.0f);
-    const float seen =
-        estimator->visibility({image, image.texel(2, 2), 2, 2, flat, 0.4f, flat, 1.0f, 0.0f, 0.0f, 1.0f, 0.15f, flat, 1, flat});
+    const float seen = estimator->visibility(
+        {image, image.texel(2, 2), 2, 2, flat, 0.4f, flat, 1.0f, 0.0f, 0.0f, 1.0f, 0.15f, flat, 1, flat});
     const double lit = 2.0 / 3.0;
     CHECK(seen == doctest::Approx(0.25 + 0.75 * (lit - 0.15) / 0.85).epsilon(1e-4));
 }

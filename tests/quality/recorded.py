@@ -110,7 +110,7 @@ def digest(lines):
 
 def record(quality, calm, keep=None):
     def measured(name, program, *options):
-        kept = keep and pathlib.Path(keep) / f"{name}.json"
+        kept = keep and pathlib.Path(keep) / f"{name.replace('/', '_')}.json"
         return json.loads(kept.read_text()) if kept and kept.exists() else measure(program, *options)
 
     runs = {}

@@ -242,7 +242,8 @@ void printTables(const Run& run, std::ostream& out)
     {
         std::string terms = "Width " + std::to_string(m.window.width);
         if (m.footprint.minified())
-            terms += ", footprint " + std::to_string(m.footprint.length) + " by 1/" + std::to_string(m.footprint.stretch);
+            terms +=
+                ", footprint " + std::to_string(m.footprint.length) + " by 1/" + std::to_string(m.footprint.stretch);
         if (byTerms[terms].empty())
             order.push_back(terms);
         byTerms[terms].push_back(&m);

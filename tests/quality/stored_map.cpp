@@ -4,7 +4,6 @@
 
 #include <lvsm/receiver.hpp>
 
-
 namespace lvsm::quality
 {
 namespace
@@ -53,13 +52,14 @@ MapMaker::MapMaker(const Technique& technique, const Scene& scene, const Window&
         m_estimator = technique.prepare({scene.peel, window, footprint});
 }
 
-std::shared_ptr<const Estimator> MapMaker::estimator(int level)
+std::shared_ptr<const Estimator> MapMaker::estimator(int level, bool decoded)
 {
     if (!m_technique.own)
         return m_estimator;
-    std::shared_ptr<const Estimator>& found = m_own[level];
+    // At full resolution a window is the filter's own, however it is read.
+    std::shared_ptr<const Estimator>& found = m_own[{level, decoded && level > 0}];
     if (found == nullptr)
-        found = m_technique.prepare({m_scene.peel, m_window, m_footprint, level});
+        found = m_technique.prepare({m_scene.peel, m_window, m_footprint, level, decoded});
     return found;
 }
 
@@ -106,7 +106,7 @@ StoredMap::StoredMap(MapMaker& maker, const Variant& variant)
       m_reading(variant.decoded ? Reading::Decoded : m_technique.reading), m_footprint(maker.m_footprint),
       m_level(m_reading == Reading::Window ? 0 : std::max(levelOf(m_footprint), variant.half ? 1 : 0)),
       m_scale(static_cast<float>(1 << m_level)), m_roundings(maker.m_rounding == Rounding::Once ? 1.0f : 3.0f),
-      m_taps(binomialKernel(variant.tapsAcross)), m_estimator(maker.estimator(m_level)), m_image(1, 1)
+      m_taps(binomialKernel(variant.tapsAcross)), m_estimator(maker.estimator(m_level, variant.decoded)), m_image(1, 1)
 {
     // The footprint's own level is no filter that the window has to do without.
     const std::vector<double> kernel = maker.m_window.before(variant.tapsAcross, variant.half);
@@ -126,12 +126,11 @@ float StoredMap::at(glm::vec2 place, glm::ivec2 texel, const float* channels, co
 {
     const glm::vec2 gradient = receiver.surface.gradient;
     const float reach = 0.5f * std::sqrt(setting.slopeFloor) * m_deviation; // the floor is of 4 deviations^2
-    return m_estimator->visibility({m_image, channels, texel.x, texel.y, place - glm::vec2(texel), depth,
-                                    m_scale * gradient, m_deviation / m_scale,
-                                    receiverMinVariance(0.0f, gradient, reach),
-                                    setting.storedFloor * m_roundings * depthErrorOf(m_technique.format), setting.bias,
-                                    m_technique.contact ? setting.bleeding : 0.0f, stride(receiver), samples,
-                                    receiver.direction});
+    return m_estimator->visibility(
+        {m_image, channels, texel.x, texel.y, place - glm::vec2(texel), depth, m_scale * gradient,
+         m_deviation / m_scale, receiverMinVariance(0.0f, gradient, reach),
+         setting.storedFloor * m_roundings * depthErrorOf(m_technique.format), setting.bias,
+         m_technique.contact ? setting.bleeding : 0.0f, stride(receiver), samples, receiver.direction});
 }
 
 glm::vec2 StoredMap::stride(const Receiver& receiver) const
@@ -156,8 +155,8 @@ float StoredMap::tap(const Receiver& receiver, const Setting& setting, float dep
         {
             const float along = static_cast<float>(i) - 0.5f * static_cast<float>(samples - 1);
             for (int c = 0; c < m_technique.channels; ++c)
-                sample[static_cast<std::size_t>(c)] += m_image.bilinear(place + along * stride(receiver), c) /
-                                                       static_cast<float>(samples);
+                sample[static_cast<std::size_t>(c)] +=
+                    m_image.bilinear(place + along * stride(receiver), c) / static_cast<float>(samples);
         }
         return at(place, nearest, sample.data(), receiver, setting, depth, samples);
     }
@@ -169,11 +168,10 @@ float StoredMap::tap(const Receiver& receiver, const Setting& setting, float dep
     for (int i = 0; i < 4; ++i)
     {
         const glm::ivec2 texel = low + glm::ivec2(i % 2, i / 2);
-        const float there =
-            planeDepth(depth, receiver.surface.gradient, m_scale * (glm::vec2(texel) - place));
+        const float there = planeDepth(depth, receiver.surface.gradient, m_scale * (glm::vec2(texel) - place));
         if (weights[i] > 0.0f)
-            sum += weights[i] *
-                   at(glm::vec2(texel), texel, m_image.texel(texel.x, texel.y), receiver, setting, there, 1);
+            sum +=
+                weights[i] * at(glm::vec2(texel), texel, m_image.texel(texel.x, texel.y), receiver, setting, there, 1);
     }
     return sum;
 }

@@ -58,7 +58,7 @@ private:
     friend class StoredMap;
     Image make(const std::vector<double>& kernel, int level);
     /// For a map of that level, where the technique filters by itself.
-    std::shared_ptr<const Estimator> estimator(int level);
+    std::shared_ptr<const Estimator> estimator(int level, bool decoded);
 
     const Technique& m_technique;
     const Scene& m_scene;
@@ -66,8 +66,8 @@ private:
     Rounding m_rounding;
     Footprint m_footprint;
     std::shared_ptr<const Estimator> m_estimator;
-    std::map<int, std::shared_ptr<const Estimator>> m_own; ///< by level
-    std::map<std::vector<double>, Image> m_blurred; ///< in fp32 where it is rounded once
+    std::map<std::pair<int, bool>, std::shared_ptr<const Estimator>> m_own; ///< by level, and whether read by decisions
+    std::map<std::vector<double>, Image> m_blurred;                         ///< in fp32 where it is rounded once
 };
 
 /// One variant's map.

@@ -6,8 +6,8 @@ namespace lvsm::quality
 std::vector<Technique> allTechniques()
 {
     std::vector<Technique> all;
-    for (const auto& part :
-         {varianceTechniques(), otherPeers(), pcfPeers(), momentTechniques(), layeredTechniques(), mixtureTechniques(), limits()})
+    for (const auto& part : {varianceTechniques(), otherPeers(), pcfPeers(), momentTechniques(), layeredTechniques(),
+                             mixtureTechniques(), limits()})
     {
         all.insert(all.end(), part.begin(), part.end());
     }

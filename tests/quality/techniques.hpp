@@ -60,7 +60,8 @@ struct Map
     const Peel& peel;
     Window window;
     Footprint footprint = {};
-    int level = 0; ///< a texel for 1, 2 x 2, 4 x 4, ... of the shadow map; for what filters by itself
+    int level = 0;        ///< a texel for 1, 2 x 2, 4 x 4, ... of the shadow map; for what filters by itself
+    bool decoded = false; ///< whether four decisions are mixed; likewise
 };
 
 /// How what is stored is read between texels.
@@ -90,9 +91,9 @@ struct Technique
     std::function<std::unique_ptr<Estimator>(const Map&)> prepare;
     std::string estimate = {}; ///< its row in tests/cost/estimates.def; none, and its cost is unknown
     Reading reading = Reading::Bilinear;
-    bool bias = false;     ///< whether the bias against rounding may be chosen, as a floor is
-    bool contact = false;  ///< whether light bleeding is reduced inside the estimate, not afterwards
-    bool variants = false; ///< also with 4, 9, 16 and 25 taps, and at half resolution
+    bool bias = false;           ///< whether the bias against rounding may be chosen, as a floor is
+    bool contact = false;        ///< whether light bleeding is reduced inside the estimate, not afterwards
+    bool variants = false;       ///< also with 4, 9, 16 and 25 taps, and at half resolution
     std::optional<Own> own = {}; ///< filters by itself: prepared anew for each variant, of which it has half resolution
 };
 

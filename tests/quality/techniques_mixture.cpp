@@ -25,8 +25,11 @@ mixtures::MixturePlan planOf(const Map& map, int count)
             plan.rounds.push_back({step, 0.25f});
         return plan;
     }
-    // A round of one texel of such a map, two of the shadow map, adds a variance of 8 times the share.
-    const double own = map.footprint.minified() ? 0.0 : 0.25;
+    // A round of one texel of such a map, two of the shadow map, adds a variance of 8 times the share, and 2 x 2 texels
+    // have one of 1/4. A bilinear sample of the shadow map's texels, by which all are judged, adds 1/6 in the mean; one of
+    // twice that size, which four decodes are, 4/6; and the receivers that read a texel where it lies are spread by 1/3.
+    const double read = map.decoded ? -0.5 : 0.5;
+    const double own = map.footprint.minified() ? 0.0 : 0.25 - read;
     const double variance = 0.25 * (map.window.width - 1) - own;
     const int rounds = static_cast<int>(std::ceil(0.5 * variance));
     for (int i = 0; i < rounds; ++i)

@@ -44,8 +44,7 @@ protected:
 class WholeWindow : public Depths
 {
 public:
-    WholeWindow(const Map& map, bool plane)
-        : m_kernel(map.window.kernel()), m_footprint(map.footprint), m_plane(plane)
+    WholeWindow(const Map& map, bool plane) : m_kernel(map.window.kernel()), m_footprint(map.footprint), m_plane(plane)
     {
     }
 
@@ -150,8 +149,7 @@ std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
 std::vector<Technique> pcfPeers()
 {
     return {depths("PCF, whole window", true, "PCF whole window", whole(true)),
-            depths("PCF, 16 turned samples", true, "",
-                   [](const Map& map) { return std::make_unique<Disc>(map); }),
+            depths("PCF, 16 turned samples", true, "", [](const Map& map) { return std::make_unique<Disc>(map); }),
             depths("PCF, 3 x 3", true, "", fixed<Box>(3)), depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
 }
 

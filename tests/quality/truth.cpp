@@ -15,33 +15,6 @@ namespace
 // Between two points a surface may be steeper than at both: by this share of their slopes.
 constexpr float kRoom = 0.25f;
 
-} // namespace
-
-PlacedWindow::PlacedWindow(const std::vector<double>& kernel, glm::vec2 offset, const Footprint& footprint,
-                           glm::vec2 direction)
-    : m_first(-static_cast<int>(kernel.size()) / 2 - 1 - (footprint.minified() ? footprint.length : 0)),
-      m_size(1 - 2 * m_first), m_weights(static_cast<std::size_t>(m_size) * static_cast<std::size_t>(m_size))
-{
-    // A place for each texel's length and width of the footprint, all with the same share.
-    const int along = footprint.length;
-    const int across = std::max(1, footprint.length / footprint.stretch);
-    const float breadth = footprint.minified() ? footprint.across() : 1.0f;
-    for (int i = 0; i < along * across; ++i)
-    {
-        const float u = static_cast<float>(i % along) - 0.5f * static_cast<float>(along - 1);
-        const float v = breadth * ((static_cast<float>(i / along) + 0.5f) / static_cast<float>(across) - 0.5f);
-        const glm::vec2 place = offset + u * direction + v * glm::vec2(-direction.y, direction.x);
-        const ShiftedKernel x(kernel, place.x);
-        const ShiftedKernel y(kernel, place.y);
-        for (int dy = y.first(); dy <= y.last(); ++dy)
-        {
-            for (int dx = x.first(); dx <= x.last(); ++dx)
-                m_weights[static_cast<std::size_t>(dy - m_first) * static_cast<std::size_t>(m_size) +
-                          static_cast<std::size_t>(dx - m_first)] += x.weight(dx) * y.weight(dy) / (along * across);
-        }
-    }
-}
-
 void judge(const Scene& scene, const std::vector<double>& kernel, const Footprint& footprint, Receiver& receiver)
 {
     const PlacedWindow window(kernel, receiver.offset, footprint, receiver.direction);
@@ -73,6 +46,33 @@ void judge(const Scene& scene, const std::vector<double>& kernel, const Footprin
     }
     receiver.visibility = static_cast<float>(lit);
     receiver.occluderDistance = static_cast<float>(occluded > 0.0 ? distance / occluded : 0.0);
+}
+
+} // namespace
+
+PlacedWindow::PlacedWindow(const std::vector<double>& kernel, glm::vec2 offset, const Footprint& footprint,
+                           glm::vec2 direction)
+    : m_first(-static_cast<int>(kernel.size()) / 2 - 1 - (footprint.minified() ? footprint.length : 0)),
+      m_size(1 - 2 * m_first), m_weights(static_cast<std::size_t>(m_size) * static_cast<std::size_t>(m_size))
+{
+    // A place for each texel's length and width of the footprint, all with the same share.
+    const int along = footprint.length;
+    const int across = std::max(1, footprint.length / footprint.stretch);
+    const float breadth = footprint.minified() ? footprint.across() : 1.0f;
+    for (int i = 0; i < along * across; ++i)
+    {
+        const float u = static_cast<float>(i % along) - 0.5f * static_cast<float>(along - 1);
+        const float v = breadth * ((static_cast<float>(i / along) + 0.5f) / static_cast<float>(across) - 0.5f);
+        const glm::vec2 place = offset + u * direction + v * glm::vec2(-direction.y, direction.x);
+        const ShiftedKernel x(kernel, place.x);
+        const ShiftedKernel y(kernel, place.y);
+        for (int dy = y.first(); dy <= y.last(); ++dy)
+        {
+            for (int dx = x.first(); dx <= x.last(); ++dx)
+                m_weights[static_cast<std::size_t>(dy - m_first) * static_cast<std::size_t>(m_size) +
+                          static_cast<std::size_t>(dx - m_first)] += x.weight(dx) * y.weight(dy) / (along * across);
+        }
+    }
 }
 
 void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector<Receiver>& receivers,

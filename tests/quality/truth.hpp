@@ -71,7 +71,7 @@ void judgeAll(const Scene& scene, const std::vector<double>& kernel, std::vector
 /// Which receivers of a scene are measured.
 struct Choice
 {
-    bool centred = false; ///< on texel centres, not anywhere between them
+    bool centred = false;                                       ///< on texel centres, not anywhere between them
     std::size_t most = std::numeric_limits<std::size_t>::max(); ///< evenly spread among all
     Footprint footprint = {};
 };
