@@ -171,9 +171,12 @@ TEST_CASE("mixtures leave a plane lit and a step in its share, in each variant a
                     judgeAll(scene, binomialKernel(7), alone, footprint);
                     r = alone.front();
                     const float v = map.estimate(r, plainSetting(technique));
-                    const bool isFar = std::abs(x - kSize / 2) > 12;
-                    CHECK_MESSAGE(std::abs(v - r.visibility) < (isFar ? 0.001f : 0.13f),
-                                  name << variant.suffix() << " at " << x << ": " << v << ", " << r.visibility);
+                    const bool isFar =
+                        std::abs(x - kSize / 2) > 12; // half of what a fetch from 4 x 4 texels would err by unmoved
+                    CHECK_MESSAGE(std::abs(v - r.visibility) < (isFar ? 0.001f : 0.2f),
+                                  std::string(name)
+                                      << variant.suffix() << ", " << footprint.length << " by " << footprint.stretch
+                                      << " at " << x << ": " << v << ", " << r.visibility);
                 }
             }
         }
