@@ -28,5 +28,11 @@ def count(agrees, paper=None):
     return sum(row["agrees"] is agrees for row in ROWS if paper in (None, row["paper"]))
 
 
-TABLES = {f"papers.{paper.__name__.removeprefix('claims_')}": table(paper) for paper in recorded.claims.papers()}
+def run():
+    made_on = recorded.whole()["run"]["run"]
+    return [list(made_on), [str(value) for value in made_on.values()]]
+
+
+TABLES = {"papers.run": run,
+          **{f"papers.{paper.__name__.removeprefix('claims_')}": table(paper) for paper in recorded.claims.papers()}}
 NAMES = {"claims": count}

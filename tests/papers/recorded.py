@@ -2,10 +2,14 @@
 """The recorded figures of the papers, and the test that they are what is measured now.
 
     recorded.py --check LVSM_PAPERS REPORT                  measures all errors and pictures anew, and writes the rows
-    recorded.py --record LVSM_PAPERS                        records errors and pictures, and renews docs/papers.md
+    recorded.py --record LVSM_PAPERS [LVSM_PAPERS_TIME]     records errors and pictures, with the second program the
+                                                            times too, and renews docs/papers.md
+
+Times depend on the machine, so no test compares them; what is shown are ratios within the recorded run.
 
 REPORT is build/reports/papers.json, a list of rows: paper, item, claim, theirs, ours, criterion, agrees, why.
 """
+import datetime
 import json
 import pathlib
 import subprocess
@@ -26,15 +30,26 @@ RELATIVE, ABSOLUTE = 2e-3, 1e-4
 PICTURE_DIFFERENCE = 0.1
 
 
-def measure(program, pictures):
+def measure(program, *options):
     with tempfile.TemporaryDirectory() as folder:
-        output = pathlib.Path(folder) / "errors.json"
-        subprocess.run([program, "--output", str(output), "--pictures", str(pictures)], check=True)
+        output = pathlib.Path(folder) / "values.json"
+        subprocess.run([program, "--output", str(output), *options], check=True)
         return json.loads(output.read_text())
+
+
+def measure_errors(program, pictures):
+    return measure(program, "--pictures", str(pictures))
 
 
 def rounded(values):
     return {item: {name: float(f"{value:.6g}") for name, value in figures.items()} for item, figures in values.items()}
+
+
+def with_run(times):
+    """Times with what they were measured on."""
+    run = {**times.pop("run"), "date": datetime.date.today().isoformat(), "machine": recorded_run.processor(),
+           "load": recorded_run.load()}
+    return {"run": {"run": run}, "times": rounded(times)}
 
 
 def write(record_):
@@ -50,11 +65,14 @@ def whole():
 
 def values(record_=None):
     """Everything that claims are judged by."""
-    return {item: figures for part in (record_ or whole()).values() for item, figures in part.items()}
+    record_ = record_ or whole()
+    times = {item: claims.derived(figures) for item, figures in record_["times"].items()}
+    return {**record_["errors"], **record_["run"], **times}
 
 
-def record(program):
-    write({**(whole() if FILE.exists() else {}), "errors": rounded(measure(program, PICTURES))})
+def record(program, timer=None):
+    write({**(whole() if FILE.exists() else {}), "errors": rounded(measure_errors(program, PICTURES)),
+           **(with_run(measure(timer)) if timer else {})})
     subprocess.run([sys.executable, str(ROOT / "tests/docs/documents.py"), "--write"], check=False)
 
 
@@ -82,7 +100,7 @@ def differing_pictures(folder):
 
 def check(program, report):
     with tempfile.TemporaryDirectory() as folder:
-        now = rounded(measure(program, folder))
+        now = rounded(measure_errors(program, folder))
         yield from differing_values(whole()["errors"], now)
         yield from differing_pictures(pathlib.Path(folder))
     before, rows = claims.rows(values()), claims.rows(values({**whole(), "errors": now}))

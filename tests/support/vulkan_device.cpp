@@ -131,6 +131,7 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
     vk::PhysicalDeviceFeatures features;
     features.shaderStorageImageExtendedFormats = available.shaderStorageImageExtendedFormats;
     features.sampleRateShading = available.sampleRateShading;
+    features.samplerAnisotropy = available.samplerAnisotropy;
     return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, &features)};
 }
 
