@@ -17,7 +17,8 @@ if (!existsSync(join(wasm, "lvsm.mjs"))) {
 // The viewer takes the library as everybody does, from its npm package.
 mkdirSync(output, {recursive: true});
 const packages = join(output, "packages");
-const made = spawnSync("node", [join(here, "../../npm/build.mjs"), single, wasm, version, join(packages, "lvsm")], {stdio: "inherit"});
+const words = [join(here, "../../npm/build.mjs"), single, wasm, version, join(packages, "lvsm")];
+const made = spawnSync("node", words, {stdio: "inherit"});
 if (made.status !== 0)
     process.exit(1);
 const bundled = await esbuild.build({

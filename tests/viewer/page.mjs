@@ -63,7 +63,8 @@ export class Viewer {
             const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
             context.drawImage(canvas, 0, 0);
             const {data} = context.getImageData(0, 0, canvas.width, canvas.height);
-            return Array.from({length: data.length / 4}, (_, i) => Math.round((data[4 * i] + data[4 * i + 1] + data[4 * i + 2]) / 3));
+            const grey = (i) => Math.round((data[i] + data[i + 1] + data[i + 2]) / 3);
+            return Array.from({length: data.length / 4}, (_, i) => grey(4 * i));
         });
     }
 

@@ -53,7 +53,8 @@ const cases = {
         assert.ok(greys.some((grey) => grey < 10) && greys.some((grey) => grey > 250), "there is no shadow");
         assert.ok((await viewer.figures("right")).rmse > 0);
         assert.match(await open(viewer, file("triangle.gltf", gltf(INSIDE))), /triangle\.gltf is shown/);
-        assert.match(await open(viewer, file("apart.gltf", gltf("apart.bin")), file("apart.bin", TRIANGLE)), /apart\.gltf is shown/);
+        const apart = [file("apart.gltf", gltf("apart.bin")), file("apart.bin", TRIANGLE)];
+        assert.match(await open(viewer, ...apart), /apart\.gltf is shown/);
     },
 
     "a model is dropped on the page": async (viewer) => {
@@ -66,8 +67,9 @@ const cases = {
     "a broken model is named, and the old scene stays": async (viewer) => {
         await viewer.settled();
         const before = (await viewer.greys()).join();
-        const broken = {"text.obj": "this is no model\n", "points.obj": "v 0 0 0\nv 1 0 0\np 1 2\n", "cut.glb": "glTF\x02\0",
-                        "flat.obj": "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", "infinite.obj": "v inf 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n",
+        const broken = {"text.obj": "this is no model\n", "points.obj": "v 0 0 0\nv 1 0 0\np 1 2\n",
+                        "flat.obj": "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n",
+                        "infinite.obj": "v inf 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "cut.glb": "glTF\x02\0",
                         "cut.gltf": "{\"asset\":", "lacking.gltf": gltf("nowhere.bin"), "picture.png": "\x89PNG"};
         for (const [name, content] of Object.entries(broken)) {
             const said = await open(viewer, file(name, content));

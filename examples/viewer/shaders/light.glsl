@@ -16,8 +16,9 @@ in vec2 coord;
 
 float lightDepth(vec3 point)
 {
-    return lightPosition.w > 0.0 ? lvsm_pointLightDepth(point, lightPosition.xyz, lightRange.x, lightRange.y)
-                                 : lvsm_planeLightDepth(point, lightPosition.xyz, lightDirection, lightRange.x, lightRange.y);
+    if (lightPosition.w > 0.0)
+        return lvsm_pointLightDepth(point, lightPosition.xyz, lightRange.x, lightRange.y);
+    return lvsm_planeLightDepth(point, lightPosition.xyz, lightDirection, lightRange.x, lightRange.y);
 }
 
 vec3 towardsLight(vec3 point)

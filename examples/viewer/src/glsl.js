@@ -4,6 +4,9 @@ import {ESM_SIGNATURE, SIGNATURE, TECHNIQUES} from "./techniques.js";
 const MAP = "LVSM_HIGHP sampler2DArray";
 const TYPES = {splits: "float"};
 
+// The first line of a whole pass is the client's: three.js writes its own.
+export const withoutVersion = (text) => text.replace(/^#version[^\n]*\n/, "");
+
 // Values of the technique's constants: [type, name, value].
 export function constantsOf(technique, side, frame) {
     return TECHNIQUES[technique].constants.map(([type, name, value]) => [type, name, value(side, frame)]);
@@ -65,9 +68,11 @@ export function pasteable(technique, side, frame, language, header) {
     const constants = constantsOf(technique, side, frame).map((row) => constantText(row, maxLayers, isHlsl)).join("");
     const text = `${constants}\n${storeText(technique)}\n${judgeText(technique)}`;
     const file = isHlsl ? "lvsm_separate.hlsli" : "lvsm_combined.glsl";
-    const lines = [...header, `Paste ${file} in front of this${maxLayers > 8 ? `, and in front of that #define LVSM_MAX_LAYERS ${maxLayers}` : ""}.`,
-                   "store: a slice's texel for a depth in [0,1]. visibility: where, such as lvsm_mapPoint(uv, dFdx(uv), dFdy(uv), 0) or",
-                   "lvsm_cubePoint; the receiver's depth, and its gradient per texel from lvsm_receiverGradient."];
+    const define = maxLayers > 8 ? `, and in front of that #define LVSM_MAX_LAYERS ${maxLayers}` : "";
+    const lines = [...header, `Paste ${file} in front of this${define}.`,
+                   "store: a slice's texel for a depth in [0,1]. visibility: where, such as lvsm_mapPoint(uv, dFdx(uv),",
+                   "dFdy(uv), 0) or lvsm_cubePoint; the receiver's depth, and its gradient per texel from",
+                   "lvsm_receiverGradient."];
     const comment = lines.map((line) => `// ${line}\n`).join("");
     return `${comment}${isHlsl ? toHlsl(text) : text}`;
 }

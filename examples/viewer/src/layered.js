@@ -80,7 +80,8 @@ vec4 store(float depth, int slice)
         settings: {...layerSettings, layers: 8, minVariance: floorOfLayer, contact: 0.15, shift: SHIFT},
         slices: (side) => side.layers / 2,
         constants: [...LAYERED, ...COMPACT, ["float", "deviation", (side, frame) => frame.kernel.deviation],
-                    ["float", "minVariance", (side) => side.minVariance], ["float", "amount", (side) => side.contact], ...SHIFTED],
+                    ["float", "minVariance", (side) => side.minVariance],
+                    ["float", "amount", (side) => side.contact], ...SHIFTED],
         store: STORED_LAYERS,
         judge: `
     float receiver = lvsm_shiftReceiver(depth, gradient, shift);

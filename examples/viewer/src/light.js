@@ -10,7 +10,8 @@ const FACES = [[[1, 0, 0], [0, -1, 0]], [[-1, 0, 0], [0, -1, 0]], [[0, 1, 0], [0
                [[0, 0, 1], [0, -1, 0]], [[0, 0, -1], [0, -1, 0]]];
 
 function corners({low, high}) {
-    return Array.from({length: 8}, (_, i) => new THREE.Vector3(...low.map((value, axis) => (i >> axis & 1 ? high[axis] : value))));
+    const corner = (i) => low.map((value, axis) => (i >> axis & 1 ? high[axis] : value));
+    return Array.from({length: 8}, (_, i) => new THREE.Vector3(...corner(i)));
 }
 
 // A camera at eye that looks along direction.
@@ -44,8 +45,9 @@ function directional(focus, direction) {
     const reach = low.distanceTo(high) / 2;
     const origin = low.add(high).multiplyScalar(0.5).addScaledVector(direction, -reach);
     const camera = place(new THREE.OrthographicCamera(), origin, direction);
-    const seen = new THREE.Box3().setFromPoints(corners(focus).map((point) => point.applyMatrix4(camera.matrixWorldInverse)));
-    Object.assign(camera, {left: seen.min.x, right: seen.max.x, bottom: seen.min.y, top: seen.max.y, near: 0, far: 4 * reach});
+    const inView = corners(focus).map((point) => point.applyMatrix4(camera.matrixWorldInverse));
+    const {min, max} = new THREE.Box3().setFromPoints(inView);
+    Object.assign(camera, {left: min.x, right: max.x, bottom: min.y, top: max.y, near: 0, far: 4 * reach});
     camera.updateProjectionMatrix();
     const range = rangeOf(focus, camera, (point) => point.clone().sub(origin).dot(direction));
     return {cameras: [camera], position: new THREE.Vector4(...origin, 0), direction, range, cone: new THREE.Vector2(0, 0)};
@@ -92,7 +94,8 @@ function point(focus, direction, {size, radius}) {
         return place(camera, position, new THREE.Vector3(...along), up);
     });
     // Its cone is all around.
-    return {cameras, position: new THREE.Vector4(...position, 1), direction, range, cone: new THREE.Vector2(-3, -2), tangent};
+    const cone = new THREE.Vector2(-3, -2);
+    return {cameras, position: new THREE.Vector4(...position, 1), direction, range, cone, tangent};
 }
 
 const KINDS = {directional, spot, point};

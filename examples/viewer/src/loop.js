@@ -75,7 +75,8 @@ export class Loop {
         const isOwn = !this.state.isSet("azimuth") && !this.state.isSet("elevation") && swing === 0;
         const direction = isOwn ? new THREE.Vector3(...scene.lightDirection)
                                 : directionOf(this.state.get("azimuth") + swing, this.state.get("elevation"));
-        return makeLight(this.state.get("light"), scene.focus, direction, {size: this.mapSize(), radius: this.kernel().radius});
+        const map = {size: this.mapSize(), radius: this.kernel().radius};
+        return makeLight(this.state.get("light"), scene.focus, direction, map);
     }
 
     mapSize() {
@@ -93,14 +94,22 @@ export class Loop {
         const layered = SIDES.filter((side) => TECHNIQUES[this.state.get(side)].layered);
         if (layered.length === 0)
             return;
-        const image = this.picture.readDepths();
+        const targets = this.picture.drawPlacement();
+        const image = this.picture.readDepths(targets);
         const histogram = histogramOf(image.depths);
         for (const side of layered) {
             const {placement, layers} = this.state.side(side);
             const previous = this.state.get("moving") ? this.splits[side] : undefined;
-            this.splits[side] = placeSplits(placement, layers, this.state.get(`${side}.splits`), host, image, previous);
+            this.splits[side] = placement === "steps" ? this.picture.steps[side].step(targets, layers)
+                : placeSplits(placement, layers, this.state.get(`${side}.splits`), host, image, previous);
             this.viewer.placed(side, this.splits[side], histogram);
         }
+    }
+
+    // Whether a side's splits, which move with each frame, have not come to rest.
+    isStepping(side) {
+        return TECHNIQUES[this.state.get(side)].layered && this.state.get(`${side}.placement`) === "steps" &&
+            !this.picture.steps[side].isAtRest;
     }
 
     drawAll(time) {
@@ -128,7 +137,8 @@ export class Loop {
         this.show();
         ++this.frames;
         this.viewer.drawn();
-        if (this.state.get("moving"))
+        const isStepping = SIDES.some((side) => this.isStepping(side));
+        if (this.state.get("moving") || isStepping)
             this.invalidate();
         else
             this.measureTimer = setTimeout(() => this.measure(), MEASURE_AFTER);

@@ -5,13 +5,11 @@ import store from "lvsm/shaders/lvsm_store.frag";
 import blur from "lvsm/shaders/lvsm_blur.frag";
 import mip from "lvsm/shaders/lvsm_mip.frag";
 import {largestOf, FORMATS, textureOptions} from "./formats.js";
-import {constantsOf, maxLayersFor, storeText, uniformDeclarations} from "./glsl.js";
+import {constantsOf, maxLayersFor, storeText, uniformDeclarations, withoutVersion} from "./glsl.js";
 import {blurBlock, fetchesOf, mipBlock, storeBlock} from "./kernel.js";
 import {uniformsOf} from "./passes.js";
 import {sliceCount, TECHNIQUES} from "./techniques.js";
 
-// GLSL's first line is the client's.
-const withoutVersion = (text) => text.replace(/^#version[^\n]*\n/, "");
 const STORE = withoutVersion(store);
 const BLUR = withoutVersion(blur);
 const MIP = withoutVersion(mip);

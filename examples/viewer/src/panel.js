@@ -12,16 +12,26 @@ export function element(tag, properties = {}, ...children) {
     return made;
 }
 
-const shown = (value) => (value !== 0 && Math.abs(value) < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(4))));
+function shown(value) {
+    const isSmall = value !== 0 && Math.abs(value) < 0.001;
+    return isSmall ? value.toExponential(1) : String(Number(value.toPrecision(4)));
+}
 
 // The place of a value on a scale by factors: 0 is at the left end, the least value one step to its right.
-const toStep = ({min, max}, value) => (value <= 0 ? 0 : 1 + Math.round((STEPS - 1) * Math.log(value / min) / Math.log(max / min)));
-const fromStep = ({min, max}, step) => (step === 0 ? 0 : Number((min * (max / min) ** ((step - 1) / (STEPS - 1))).toPrecision(3)));
+function toStep({min, max}, value) {
+    return value <= 0 ? 0 : 1 + Math.round((STEPS - 1) * Math.log(value / min) / Math.log(max / min));
+}
+
+function fromStep({min, max}, step) {
+    return step === 0 ? 0 : Number((min * (max / min) ** ((step - 1) / (STEPS - 1))).toPrecision(3));
+}
+
+const optionOf = ([value, name]) => element("option", {value, textContent: name});
 
 // What shows and changes one kind of setting: its input, the value in it, and the value out of it.
 const KINDS = {
     choice: {
-        make: ({options}) => element("select", {}, ...options.map(([value, name]) => element("option", {value, textContent: name}))),
+        make: ({options}) => element("select", {}, ...options.map(optionOf)),
         write: (input, _, value) => input.value = value,
         read: (input, {options}) => options.find(([value]) => String(value) === input.value)[0],
     },

@@ -14,6 +14,7 @@ import {constantsOf, judgeText, maxLayersFor, storeText, storedText, uniformDecl
 import {MapMaker, valuesOf} from "./maps.js";
 import {Passes, uniformsOf} from "./passes.js";
 import {sliceCount, TECHNIQUES} from "./techniques.js";
+import {Steps} from "./steps.js";
 import {Timer} from "./timer.js";
 
 Object.assign(THREE.ShaderChunk, {lvsm: library, lvsm_sampling: sampling, viewer_light: lightGlsl});
@@ -32,6 +33,7 @@ export class Picture {
         this.passes = new Passes(this.renderer, sceneVertex);
         this.timer = new Timer(this.renderer.getContext());
         this.maps = new MapMaker(this.passes, this.timer);
+        this.steps = {left: new Steps(this.passes, this.maps, "left"), right: new Steps(this.passes, this.maps, "right")};
         this.white = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
         this.white.needsUpdate = true;
         this.shared = uniformsOf({toLight: null, fromLight: null, lightPosition: null, lightDirection: null, lightRange: null,
@@ -40,6 +42,7 @@ export class Picture {
         canvas.addEventListener("webglcontextrestored", () => {
             this.passes.forget();
             this.timer.reset(this.renderer.getContext());
+            this.forgetSteps();
         });
     }
 
@@ -55,6 +58,12 @@ export class Picture {
             };
             this.scene.add(mesh);
         }
+    }
+
+    // The splits that move with each frame begin anew.
+    forgetSteps() {
+        for (const steps of Object.values(this.steps))
+            steps.layers = undefined;
     }
 
     setSize(width, height) {
@@ -89,13 +98,18 @@ export class Picture {
         });
     }
 
-    // The light's depths, row by row and face by face, for placing splits: a small map tells them as well as a large one.
-    readDepths() {
-        const faces = this.light.cameras.length;
-        const size = faces > 1 ? PLACEMENT_SIZE / 2 : PLACEMENT_SIZE;
+    // The light's depths for placing splits: a small map tells them as well as a large one. Every device reads back four
+    // components, and not every one a single one.
+    drawPlacement() {
+        const size = this.light.cameras.length > 1 ? PLACEMENT_SIZE / 2 : PLACEMENT_SIZE;
+        return this.drawDepths("placement", size, THREE.RGBAFormat);
+    }
+
+    // The same, row by row and face by face. targets: of drawPlacement.
+    readDepths(targets) {
+        const [faces, size] = [targets.length, targets[0].width];
         const depths = new Float32Array(faces * size * size);
-        // Every device reads back four components, and not every one a single one.
-        this.drawDepths("placement", size, THREE.RGBAFormat).forEach((target, face) => {
+        targets.forEach((target, face) => {
             const read = this.passes.read(target, size, size);
             depths.set(read.filter((_, index) => index % 4 === 0), face * size * size);
         });
@@ -106,7 +120,8 @@ export class Picture {
         const target = this.passes.target("surface", {width: this.width, height: this.height, count: 2, ...JUDGED,
                                                       type: THREE.HalfFloatType});
         this.clear(target, 0, 0, 0, 0, true);
-        this.passes.drawScene(target, this.passes.material(surfaceFragment, this.shared, {isScene: true}), this.scene, camera);
+        const material = this.passes.material(surfaceFragment, this.shared, {isScene: true});
+        this.passes.drawScene(target, material, this.scene, camera);
         return target;
     }
 
@@ -140,7 +155,8 @@ export class Picture {
         // All faces in one array, which is what a plain shadow map is.
         const {map} = this.maps.make("exact", "basic", {format: "fp32", bias: 0}, {size, kernel}, depths);
         const uniforms = uniformsOf({map, weights, radius: kernel.radius});
-        const material = this.passes.material(exactFragment, {...this.shared, ...uniforms}, {isScene: true, defines: {MAX_TAPS}});
+        const material = this.passes.material(exactFragment, {...this.shared, ...uniforms},
+                                              {isScene: true, defines: {MAX_TAPS}});
         this.drawn.exact = this.timer.measured("exact", () => this.drawJudged("exact", material, camera));
     }
 
@@ -149,7 +165,8 @@ export class Picture {
         this.timer.begin();
         const depths = this.timer.measured("depth", () => this.drawDepths("depths", size));
         const surface = this.timer.measured("surface", () => this.drawSurface(camera));
-        this.drawn = {kernel, camera, depths, size, colours: surface.textures[0], arriving: surface.textures[1], exact: null};
+        const [colours, arriving] = surface.textures;
+        this.drawn = {kernel, camera, depths, size, colours, arriving, exact: null};
         for (const [name, {technique, side, frame}] of Object.entries(sides)) {
             if (technique === "exact") {
                 this.drawExact();

@@ -27,7 +27,8 @@ export function makeShare(viewer) {
         const slices = sliceCount(row, own);
         const blur = row.filtered && kernel.taps > 1 ? `blurred by ${kernel.taps} taps (${state.get("kernel")}) in each direction`
                                                      : "not blurred";
-        const header = [`${row.name}: ${FORMATS[own.format].name}, ${row.channels} components, ${slices} slice${slices > 1 ? "s" : ""}, ${blur};`,
+        const count = slices > 1 ? `${slices} slices` : "one slice";
+        const header = [`${row.name}: ${FORMATS[own.format].name}, ${row.channels} components, ${count}, ${blur};`,
                         "cleared to store(1.0, slice)."];
         return pasteable(technique, own, viewer.loop.frameOf(side), language, header);
     }
@@ -44,7 +45,8 @@ export function makeShare(viewer) {
 
     const buttons = ["left", "right"].flatMap((side) => ["GLSL", "HLSL"].map((language) => {
         const button = element("button", {type: "button", id: `copy-${side}-${language.toLowerCase()}`,
-                                          textContent: `${language}, ${side}`, title: `Copy the ${language} of the technique on the ${side}`});
+                                          textContent: `${language}, ${side}`,
+                                          title: `Copy the ${language} of the technique on the ${side}`});
         button.addEventListener("click", () => show(side, language));
         return {button, side};
     }));

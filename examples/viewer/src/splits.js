@@ -6,7 +6,7 @@ const LEAST_GAP = 0.002;
 
 // Splits relaxed on second occluders leave out what hardly bleeds, as the gallery does: depths that differ by less than
 // a fifth of the range.
-const RELAX = {minVariance: 0.01};
+export const RELAX = {minVariance: 0.01};
 
 export function uniformSplits(layers) {
     return Array.from({length: layers + 1}, (_, i) => i / layers);
@@ -41,9 +41,9 @@ export class SplitEditor {
         Object.assign(this, {state, side});
         this.bars = element("div", {className: "bars", "aria-hidden": "true"});
         this.track = element("div", {className: "track"});
-        this.root = element("div", {className: "splits", role: "group", "aria-label": "Depths that the light sees, and the splits"},
-                            this.bars, this.track,
-                            element("p", {className: "line", textContent: "Depths that the light sees, near to far. Drag a split, or focus it and use the arrow keys."}));
+        const line = "Depths that the light sees, near to far. Drag a split, or focus it and use the arrow keys.";
+        this.root = element("div", {className: "splits", role: "group", "aria-label": "The splits between the layers"},
+                            this.bars, this.track, element("p", {className: "line", textContent: line}));
     }
 
     update(splits, histogram) {
@@ -97,7 +97,8 @@ export class SplitEditor {
 
 // The histogram as bars of one background image, which scales with the page.
 function gradientOf(histogram) {
-    const bars = [...histogram].map((height, i) => `<rect x="${i}" y="${(40 * (1 - height)).toFixed(2)}" width="1" height="40"/>`);
-    const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${histogram.length} 40" preserveAspectRatio="none" fill="#888">${bars.join("")}</svg>`;
+    const bar = (height, i) => `<rect x="${i}" y="${(40 * (1 - height)).toFixed(2)}" width="1" height="40"/>`;
+    const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${histogram.length} 40" fill="#888" ` +
+        `preserveAspectRatio="none">${[...histogram].map(bar).join("")}</svg>`;
     return `url("data:image/svg+xml,${encodeURIComponent(svg)}") 0 0 / 100% 100%`;
 }

@@ -23,7 +23,8 @@ const byId = (id) => document.getElementById(id);
 export class Viewer {
     constructor(device) {
         this.device = device;
-        this.state = new State({device: () => device, kernel: () => this.loop.kernel(), initial: (name) => this.initial(name)});
+        this.state = new State({device: () => device, kernel: () => this.loop.kernel(),
+                                initial: (name) => this.initial(name)});
         this.picture = new Picture(byId("canvas"));
         this.scene = makeScene("bench");
         this.camera = makeCamera(byId("canvas"), this.state);
@@ -89,6 +90,7 @@ export class Viewer {
         this.scene = scene;
         this.picture.setScene(scene);
         this.loop.splits = {};
+        this.picture.forgetSteps();
     }
 
     showModel(scene) {
