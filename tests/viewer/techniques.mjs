@@ -28,10 +28,11 @@ function measuredByGallery() {
 
 // The gallery's settings and splits, where they are not the viewer's defaults.
 const SAME = {
-    basic: "left=basic", vsm: "left=vsm&left.format=fp32",
-    lvsm2: "left=lvsm&left.layers=2&left.overlap=0.01&left.format=fp32",
-    lvsm4: "left=lvsm&left.layers=4&left.overlap=0.01&left.format=fp32",
-    evsm4: "left=evsm4&left.exponent=43.3",
+    basic: "left=basic",
+    vsm: "left=vsm&left.format=fp32&left.slope=off",
+    lvsm2: "left=lvsm&left.layers=2&left.overlap=0.01&left.format=fp32&left.slope=off",
+    lvsm4: "left=lvsm&left.layers=4&left.overlap=0.01&left.format=fp32&left.slope=off",
+    evsm4: "left=evsm4&left.exponent=43.3&left.slope=off",
 };
 
 // The grey of UNLIT in show.frag.glsl.
