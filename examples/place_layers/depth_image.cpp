@@ -46,7 +46,7 @@ Result<Image> readPng(std::istream& file, bool asLuminance)
         stbi_load_16_from_memory(data, size, &image.width, &image.height, &channels, asLuminance ? 1 : 0),
         stbi_image_free);
     if (!texels)
-        return Failure{stbi_failure_reason()};
+        return Failure{stbi_failure_reason() != nullptr ? stbi_failure_reason() : "its pixels are broken"};
     // stb does not miss what a PNG ends with.
     if (bytes.compare(1, 3, "PNG") == 0 && bytes.rfind("IEND\xAE\x42\x60\x82") == std::string::npos)
         return Failure{"the file is truncated"};
@@ -128,8 +128,15 @@ Result<Image> readPfm(std::istream& file)
     Image image{static_cast<int>(width), static_cast<int>(height), {}, false};
     const std::size_t row = static_cast<std::size_t>(image.width);
     const std::size_t bytesOfPixel = kind == "PF" ? 12 : 4;
-    std::vector<unsigned char> bytes(row * static_cast<std::size_t>(image.height) * bytesOfPixel);
-    if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+    const std::size_t size = row * static_cast<std::size_t>(image.height) * bytesOfPixel;
+    // Asked before any memory is: a broken header can name any size.
+    const std::streamoff begin = file.tellg();
+    file.seekg(0, std::ios::end);
+    if (static_cast<std::size_t>(file.tellg() - begin) < size)
+        return Failure{"the file is truncated"};
+    file.seekg(begin);
+    std::vector<unsigned char> bytes(size);
+    if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
         return Failure{"the file is truncated"};
     for (int y = image.height - 1; y >= 0; --y)
     {

@@ -112,6 +112,12 @@ def pixelsCountAsTheirWeights(folder):
     assert is_near(placed(path, *lloyd, "--weights", screen)["splits"], [0, 0.5, 1], 1e-5)
     assert is_near(placed(path, *lloyd, "--weights", other)["splits"], [0, 0.875, 1], 1e-5)
     assert not is_near(placed(path, *lloyd)["splits"], [0, 0.5, 1], 0.05)
+    # The first row is on top, in each format.
+    top = stripes([0.5], height=9) + stripes([0.875], height=9)
+    upper = write(folder / "upper.png", png([[1.0] * 48] * 8 + [[0.0] * 48] * 10, bits=8))
+    for name, content in {"top.pfm": pfm(top), "top.exr": exr(top), "top.png": png(top)}.items():
+        found = placed(write(folder / name, content), *lloyd, "--weights", upper)["splits"]
+        assert is_near(found, [0, 0.5, 1], 1e-3), (name, found)
     optimal = ["--layers", 2]
     first = placed(path, *optimal, "--weights", screen)["splits"][1]
     second = placed(path, *optimal, "--weights", other)["splits"][1]
@@ -260,8 +266,21 @@ def aTruncatedImageIsNamed(folder):
             path = write(folder / name, content[:int(share * len(content))])
             expect_refusal(run(path), path)
     for name, content in {"zero.pfm": b"Pf\n0 9\n-1\n", "large.pfm": b"Pf\n99999999 99999999\n-1\n0000",
+                          "gigabyte.pfm": b"Pf\n16384 16384\n-1\n0000",
                           "scale.pfm": b"Pf\n2 2\n0\n" + bytes(16), "words.pfm": b"Pf\nno size\n-1\n"}.items():
         expect_refusal(run(write(folder / name, content)), folder / name)
+
+
+@case
+def aBrokenHeaderIsNamedOrMakesNoDifference(folder):
+    rows = stripes(width=12, height=4)
+    for name, content in {"d.png": png(rows), "d.exr": exr(rows), "d.pfm": pfm(rows)}.items():
+        for at in range(4, min(64, len(content)), 2):
+            broken = bytearray(content)
+            broken[at] ^= 0x55
+            done = run(write(folder / name, broken), errors="replace")
+            assert done.returncode in (0, 1), f"byte {at} of {name}: exit status {done.returncode}"
+            assert done.returncode == 0 or str(folder / name) in done.stderr
 
 
 @case
