@@ -114,6 +114,12 @@ inline void storeEnds(std::int32_t (&ends)[4], const Rectangle& rectangle)
     ends[3] = rectangle.y + rectangle.height;
 }
 
+inline void storeBorder(float (&to)[4], const glm::vec4& border)
+{
+    for (glm::vec4::length_type c = 0; c < 4; ++c)
+        to[c] = border[c];
+}
+
 inline GroupCount groupsOver(const Rectangle& region, int slices)
 {
     return {(region.width + kPassGroupSize - 1) / kPassGroupSize, (region.height + kPassGroupSize - 1) / kPassGroupSize,
@@ -138,8 +144,7 @@ inline Pass<BlurBlock> blurPass(const BlurKernel& kernel, const Rectangle& map, 
                                 const glm::vec4& border, int firstSlice, int slices)
 {
     Pass<BlurBlock> pass{{}, groupsOver(region, slices), region};
-    for (glm::vec4::length_type c = 0; c < 4; ++c)
-        pass.block.border[c] = border[c];
+    storeBorder(pass.block.border, border);
     storeEnds(pass.block.map, map);
     storeEnds(pass.block.region, region);
     pass.block.direction[down ? 1 : 0] = 1.0f;

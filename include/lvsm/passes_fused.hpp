@@ -52,8 +52,7 @@ inline FusedPasses fusedPasses(const BlurKernel& kernel, const float* splits, in
     passes.store = storePass(splits, layerCount, overlap, blur.across.region, firstSlice);
     passes.store.groups = {(passes.store.region.width + kFusedGroupWidth - 1) / kFusedGroupWidth,
                            (passes.store.region.height + kFusedGroupHeight - 1) / kFusedGroupHeight, 1};
-    for (glm::vec4::length_type c = 0; c < 4; ++c)
-        passes.fused.border[c] = border[c];
+    detail::storeBorder(passes.fused.border, border);
     detail::storeEnds(passes.fused.map, map);
     passes.fused.sliceCount = slices;
     passes.fused.reach = detail::minimum(kernel.size / 2, kMaxFusedReach);

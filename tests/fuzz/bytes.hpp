@@ -90,4 +90,16 @@ bool areAlike(const std::vector<T>& a, const std::vector<T>& b)
 
 } // namespace lvsm::fuzz
 
+// What libFuzzer calls: the target for float or for double.
+#define LVSM_FUZZ(target) \
+    extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) \
+    { \
+        ::lvsm::fuzz::Bytes bytes(data, size); \
+        if (bytes.between(0, 1) == 0) \
+            target<float>(bytes); \
+        else \
+            target<double>(bytes); \
+        return 0; \
+    }
+
 #endif

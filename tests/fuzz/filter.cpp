@@ -55,12 +55,4 @@ void weigh(Bytes& bytes)
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
-{
-    Bytes bytes(data, size);
-    if (bytes.between(0, 1) == 0)
-        weigh<float>(bytes);
-    else
-        weigh<double>(bytes);
-    return 0;
-}
+LVSM_FUZZ(weigh)

@@ -56,12 +56,4 @@ void relax(Bytes& bytes)
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
-{
-    Bytes bytes(data, size);
-    if (bytes.between(0, 1) == 0)
-        relax<float>(bytes);
-    else
-        relax<double>(bytes);
-    return 0;
-}
+LVSM_FUZZ(relax)

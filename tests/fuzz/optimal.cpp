@@ -62,12 +62,4 @@ void place(Bytes& bytes)
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
-{
-    Bytes bytes(data, size);
-    if (bytes.between(0, 1) == 0)
-        place<float>(bytes);
-    else
-        place<double>(bytes);
-    return 0;
-}
+LVSM_FUZZ(place)

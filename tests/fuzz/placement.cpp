@@ -52,12 +52,4 @@ void step(Bytes& bytes)
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
-{
-    Bytes bytes(data, size);
-    if (bytes.between(0, 1) == 0)
-        step<float>(bytes);
-    else
-        step<double>(bytes);
-    return 0;
-}
+LVSM_FUZZ(step)

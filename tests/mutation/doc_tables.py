@@ -11,11 +11,12 @@ def recorded():
 
 def topics():
     reasons = set((HERE / "survivors.txt").read_text().splitlines())
-    yield ["topic", "mutants", "fail a test", "survive with a reason", "survive without one"]
+    yield ["topic", "mutants", "fail a test", "do not compile", "survive with a reason", "survive without one"]
     rows = []
     for topic, ran in sorted(recorded()["topics"].items()):
         reasoned = sum(key in reasons for key in ran["survivors"])
-        rows.append([ran["killed"] + len(ran["survivors"]), ran["killed"], reasoned, len(ran["survivors"]) - reasoned])
+        rows.append([ran["killed"] + ran["broken"] + len(ran["survivors"]), ran["killed"], ran["broken"], reasoned,
+                     len(ran["survivors"]) - reasoned])
         yield [f"`{topic}`", *map(str, rows[-1])]
     yield ["all of these", *(str(sum(column)) for column in zip(*rows))]
 

@@ -84,7 +84,8 @@ public:
 
     int between(int low, int high)
     {
-        return low + static_cast<int>(m_engine() % static_cast<unsigned>(high - low + 1));
+        const auto choices = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
+        return static_cast<int>(low + static_cast<std::int64_t>(m_engine() % choices));
     }
 
     // In [0,1), as fine as T holds.

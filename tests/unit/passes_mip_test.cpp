@@ -21,6 +21,8 @@ TEST_CASE("a level has half the size of the one before, rounded down, and at lea
     CHECK(level.height == 1);
     CHECK(lvsm::levelRectangle({16, 8, 21, 3}, -1).width == 21);
     CHECK(lvsm::levelRectangle({16, 8, 21, 3}, 99).width == 1);
+    CHECK(lvsm::levelRectangle({1 << 30, 0, 1, 1}, 30).x == 1);
+    CHECK(lvsm::levelRectangle({1 << 30, 0, 1, 1}, 99).x == 1);
 }
 
 TEST_CASE("levels end at one texel")
@@ -29,6 +31,8 @@ TEST_CASE("levels end at one texel")
     CHECK(lvsm::levelCount({0, 0, 2, 1}) == 2);
     CHECK(lvsm::levelCount({0, 0, 512, 512}) == 10);
     CHECK(lvsm::levelCount({0, 0, 513, 3}) == 10);
+    CHECK(lvsm::levelCount({0, 0, 3, 513}) == 10);
+    CHECK(lvsm::levelCount({0, 0, 0, 0}) == 1);
     CHECK(lvsm::levelCount({0, 0, 1 << 30, 3}) == 31);
 }
 
