@@ -109,9 +109,9 @@ TEST_CASE("the excess of a map that is empty is the least that is coded")
 
 TEST_CASE("the depth errors are half a step of a depth, and half one of a small weight over all depths")
 {
-    CHECK(kDepthErrorQuantised64<double> == doctest::Approx(0.5 / 65535 + 0.5 / 65535));
+    CHECK(kDepthErrorQuantised64<double> / (0.5 / 65535 + 0.5 / 65535) == doctest::Approx(1));
     // The weight is coded as its square root.
-    CHECK(kDepthErrorQuantised32<double> == doctest::Approx(0.5 / 1023 + std::pow(0.5 / 127, 2)));
+    CHECK(kDepthErrorQuantised32<double> / (0.5 / 1023 + std::pow(0.5 / 127, 2)) == doctest::Approx(1));
 }
 
 TEST_CASE("any words unpack to a code")
