@@ -177,4 +177,14 @@ vec2 lvsm_mapFraction(vec2 uv, vec2 size)
     return clamp(clamp(uv, -1.0, 2.0) * size - 0.5 - lvsm_firstCorner(uv, size), 0.0, 1.0);
 }
 
+// Where the nearest code of a point lies, and how far the point is from its centre, in its texels. size: of the map.
+// place: counted from the map's corner. Result: false off the map.
+bool lvsm_nearestCode(lvsm_MapPoint at, vec2 size, out vec2 place, out vec2 offset)
+{
+    vec2 position = clamp(at.uv, -1.0, 2.0) * size;
+    place = floor(position);
+    offset = position - place - 0.5;
+    return place.x >= 0.0 && place.y >= 0.0 && place.x < size.x && place.y < size.y;
+}
+
 #endif

@@ -13,16 +13,6 @@
 #include "../../receiver.glsl"
 #include "maps.glsl"
 
-// Where the nearest code of a point lies, and how far the point is from its centre, in its texels. size: of the map.
-// place: counted from the map's corner. Result: false off the map.
-bool lvsm_nearestCode(lvsm_MapPoint at, vec2 size, out vec2 place, out vec2 offset)
-{
-    vec2 position = clamp(at.uv, -1.0, 2.0) * size;
-    place = floor(position);
-    offset = position - place - 0.5;
-    return place.x >= 0.0 && place.y >= 0.0 && place.x < size.x && place.y < size.y;
-}
-
 /// Visibility from a map of mixtures of two planes.
 /// map: of codes of 64 bits. at: where, see mapPoint; its gradients count nothing here. depth: the receiver's, in [0,1].
 /// gradient: of the receiver's depth per texel of the shadow map, see receiverGradient. texels: of the shadow map to one of
