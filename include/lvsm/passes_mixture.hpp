@@ -178,6 +178,23 @@ inline MixturePasses mixturePasses(int width, bool half, const Rectangle& map, c
     return detail::mixtureStages(stages, count, window, half, map, region, slice);
 }
 
+/// The draws that make a map of mixtures from depths, where there is no compute shader: two for each round.
+/// width, half, map, region, slice: as mixturePasses takes them.
+/// Result: each draws over its region of its target. A target of mixtures is two or four textures or slices, all drawn at
+/// once.
+inline MixturePasses mixtureDraws(int width, bool half, const Rectangle& map, const Rectangle& region, int slice = 0)
+{
+    const MixtureWindow window = mixtureWindow(width, half);
+    detail::MixtureStage stages[2 * kMaxMixtureRounds] = {{{0, 0}, 1, {0, 0}}};
+    for (int i = 0; i < 2 * window.rounds; ++i)
+    {
+        const int step = window.steps[i / 2];
+        const bool down = i % 2 == 1;
+        stages[i] = {{down ? 0 : step, down ? step : 0}, 1, {down ? 0 : step, down ? step : 0}};
+    }
+    return detail::mixtureStages(stages, detail::maximum(2 * window.rounds, 1), window, half, map, region, slice);
+}
+
 } // namespace lvsm
 
 #endif

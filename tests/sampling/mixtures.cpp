@@ -89,78 +89,11 @@ private:
     Texture m_depths;
 };
 
-std::string placeOf(std::size_t i, int width)
-{
-    return std::to_string(i % static_cast<std::size_t>(width)) + ' ' +
-           std::to_string(i / static_cast<std::size_t>(width));
-}
-
-// Any depths: all that decides is far from equal for most texels.
-float noise(int x, int y)
-{
-    const std::uint32_t hash =
-        (static_cast<std::uint32_t>(x) * 73856093u ^ static_cast<std::uint32_t>(y) * 19349663u) * 2654435761u;
-    return static_cast<float>(hash >> 8) / static_cast<float>(1 << 24);
-}
-
-// Slanted ground under bars of two heights.
-float bars(int x, int y)
-{
-    const float ground = 0.7f + 0.004f * static_cast<float>(x) - 0.003f * static_cast<float>(y);
-    const float noisy = 0.01f * noise(x, y);
-    return (x / 3 % 3 == 0 ? 0.2f : y / 4 % 3 == 0 ? 0.45f : ground) + noisy;
-}
-
-// A field of a code. Extents are left out where they are equal and a correlation may stand for them.
-struct CodeField
-{
-    int begin;
-    int bits;
-    double of(std::uint32_t word) const { return word >> begin & ((1u << bits) - 1u); }
-};
-
-std::vector<CodeField> codeFields(int count, int word)
-{
-    if (count == 2)
-        return word == 0 ? std::vector<CodeField>{{0, 10}, {10, 5}, {15, 5}, {20, 4}, {24, 4}, {28, 2}, {30, 2}}
-                         : std::vector<CodeField>{{0, 10}, {10, 5}, {15, 5}, {20, 4}, {24, 4}, {28, 4}};
-    if (word == 0)
-        return {{0, 10}, {10, 4}, {14, 4}, {18, 2}, {20, 2}, {22, 2}, {24, 2}, {26, 2}, {28, 2}, {30, 2}};
-    return {{0, 10}, {10, 4}, {14, 4}, {18, 2}, {20, 4}, {24, 4}, {28, 4}};
-}
-
 std::vector<std::uint32_t> readWords(VulkanContext& context, const Texture& texture, std::size_t words)
 {
     const Buffer bytes = readBytes(context, texture, words * sizeof(std::uint32_t));
     const auto* first = reinterpret_cast<const std::uint32_t*>(bytes.data);
     return {first, first + words * texture.size.count()};
-}
-
-// How far two packed components are from each other, in levels of each field. Depths are compared at the same place.
-double levelsApart(const Packed& a, const Packed& b, const PackedField& field)
-{
-    const double levels = fieldOf(a, field) - static_cast<double>(fieldOf(b, field));
-    if (&field != &kPackedFields[0])
-        return levels;
-    const auto first = unpacked(a), second = unpacked(b);
-    const glm::dvec2 slope = lvsm::componentSlope(second);
-    const glm::dvec2 away = first.place - second.place;
-    return levels - (slope.x * away.x + slope.y * away.y) * ((1 << 20) - 1);
-}
-
-// Components are packed after each direction of a round, and rounding may decide otherwise each time: a level in two
-// rounds four times, and once more for what they are made of. A place that is a level off, 1/64 texel, moves taps along
-// their slope, and turns a plane whose taps are half a texel apart or more by a 32nd of it.
-double levelsAllowed(const Packed& truth, const PackedField& field)
-{
-    const glm::dvec2 slope = lvsm::componentSlope(unpacked(truth));
-    const double along = std::abs(slope.x) + std::abs(slope.y);
-    if (&field == &kPackedFields[0])
-        return 5 + along * (1 << 20) / 64;
-    if (&field != &kPackedFields[5] && &field != &kPackedFields[6])
-        return 5;
-    const double own = std::abs(&field == &kPackedFields[5] ? slope.x : slope.y);
-    return 5 + along / 32 / (2 * std::max(std::sqrt(own), 1e-3)) * 32767;
 }
 
 // What a pass wrote over its region.
@@ -197,22 +130,9 @@ bool checkComponents(VulkanContext& context, const Form& form, Kernels& kernels,
                   : depthMixtures(test, lvsm::detail::grown(made.area, halo, halo), depth);
         const Mixtures expected = mixedTwice(test, source, pass.block);
         all += made.texels.size();
-        for (std::size_t t = 0; t < made.texels.size(); ++t)
-        {
-            compared += expected.texels[t].isTied ? 0 : 1;
-            bool isSame = true;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(test.count) && !expected.texels[t].isTied; ++k)
-            {
-                const Packed& truth = expected.texels[t].packed[k];
-                isSame &= truth == made.texels[t].packed[k];
-                for (const PackedField& field : kPackedFields)
-                    comparison.expect(levelsApart(made.texels[t].packed[k], truth, field), 0,
-                                      levelsAllowed(truth, field),
-                                      "pass " + std::to_string(i) + " texel " + placeOf(t, made.area.width) +
-                                          " component " + std::to_string(k) + ' ' + field.name);
-            }
-            same += isSame && !expected.texels[t].isTied ? 1 : 0;
-        }
+        const auto [told, equal] = compareComponents(comparison, made, expected, test.count);
+        compared += told;
+        same += equal;
     }
     const bool isEnough = 10 * compared > all;
     std::printf("%s %zu of %zu texels without a near tie, %zu of them to the bit\n", isEnough ? "    " : "FAIL",
@@ -267,7 +187,7 @@ bool checkWindow(VulkanContext& context, const Form& form, Kernels& kernels, int
 // Codes are what encodeMixture makes of the mixtures, in the rectangle alone, and so is what is read from them.
 bool checkCodes(VulkanContext& context, const Form& form, Kernels& kernels, const MixtureCase& test)
 {
-    const MixtureMaker maker(context, form, kernels, test, bars);
+    const MixtureMaker maker(context, form, kernels, test, barDepth);
     const auto& last = maker.passes().passes[maker.passes().count - 1];
     const Mixtures mixtures = writtenBy(context, last, maker.run(true).back());
     const auto targets = maker.run(false);
@@ -286,17 +206,13 @@ bool checkCodes(VulkanContext& context, const Form& form, Kernels& kernels, cons
         glm::uvec4 expected(0u);
         if (isWritten)
             expected = trueCode(test, mixtures.texels[static_cast<std::size_t>((y - r.y) * r.width + x - r.x)]);
-        std::size_t equal = 0;
+        Packed made{};
         for (std::size_t w = 0; w < words; ++w)
-        {
-            const std::uint32_t made = codes[static_cast<std::size_t>(i) * words + w];
-            equal += made == expected[static_cast<int>(w)] ? 1 : 0;
-            for (const CodeField& field : codeFields(test.count, static_cast<int>(w)))
-                comparison.expect(field.of(made), field.of(expected[static_cast<int>(w)]), isWritten ? 1 : 0,
-                                  std::to_string(x) + ' ' + std::to_string(y) + " word " + std::to_string(w) + " bit " +
-                                      std::to_string(field.begin));
-        }
-        same += equal == words ? 1 : 0;
+            made[w] = codes[static_cast<std::size_t>(i) * words + w];
+        same += compareCode(comparison, test.count, made, expected, isWritten ? 1 : 0,
+                            std::to_string(x) + ' ' + std::to_string(y))
+                    ? 1
+                    : 0;
     }
     std::printf("     %zu codes of %zu to the bit\n", same, codes.size() / words);
     return comparison.passed();
@@ -316,8 +232,8 @@ bool checkMixtures(VulkanContext& context, const Form& form)
             for (const int width : {1, 3, 7, 15})
             {
                 const MixtureCase test{planes + std::to_string(width) + (half ? ", half" : ""), count, width, half};
-                passed = checkComponents(context, form, kernels, test, noise) && passed;
-                passed = checkComponents(context, form, kernels, test, bars) && passed;
+                passed = checkComponents(context, form, kernels, test, noiseDepth) && passed;
+                passed = checkComponents(context, form, kernels, test, barDepth) && passed;
             }
             MixtureCase codes{"codes of " + planes + "7" + (half ? ", half" : ""), count, 7, half};
             passed = checkCodes(context, form, kernels, codes) && passed;
@@ -326,7 +242,7 @@ bool checkMixtures(VulkanContext& context, const Form& form)
             codes.region = {7, 2, 11, 30};
             codes.slice = 1;
             passed = checkCodes(context, form, kernels, codes) && passed;
-            passed = checkComponents(context, form, kernels, codes, noise) && passed;
+            passed = checkComponents(context, form, kernels, codes, noiseDepth) && passed;
         }
     }
     return passed;

@@ -169,6 +169,8 @@ void insert(lvsm::Mixture<double>& mixture, const Component& component, int coun
     lvsm::insertComponent(mixture, component, count);
 }
 
+} // namespace
+
 Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY)
 {
     const lvsm::Rectangle& a = from.area;
@@ -194,8 +196,6 @@ Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY)
     }
     return made;
 }
-
-} // namespace
 
 Mixtures depthMixtures(const MixtureCase& test, const lvsm::Rectangle& area, const DepthOf& depth)
 {

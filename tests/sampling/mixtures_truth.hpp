@@ -64,9 +64,22 @@ struct Mixtures
 
 // What the depths begin with.
 Mixtures depthMixtures(const MixtureCase& test, const lvsm::Rectangle& area, const DepthOf& depth);
+// One direction of a round, over what is left of their area.
+Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY);
 // What a dispatch makes of them, over what is left of their area.
 Mixtures mixedTwice(const MixtureCase& test, const Mixtures& from, const lvsm::MixingBlock& block);
 glm::uvec4 trueCode(const MixtureCase& test, const TrueMixture& mixture);
+
+// Depths that decide: any, all far from equal; and slanted ground under bars of two heights.
+float noiseDepth(int x, int y);
+float barDepth(int x, int y);
+
+// All texels without a near tie, component by component: how many, and how many of them are the same to the bit.
+std::pair<std::size_t, std::size_t> compareComponents(Comparison& comparison, const Mixtures& made,
+                                                      const Mixtures& expected, int count);
+// Each field within so many levels. Result: whether all bits are the same.
+bool compareCode(Comparison& comparison, int count, const Packed& made, const glm::uvec4& expected, double tolerance,
+                 const std::string& where);
 
 // Weights of a window along an axis, from the first texel of the depths that it reaches to the last.
 std::vector<double> windowWeights(int width, bool half);

@@ -1,6 +1,7 @@
 // lvsm_opengl: runs the one-file passes and wrappers as an OpenGL program has them, and compares with the library's C++
 // functions.
 #include "opengl.hpp"
+#include "opengl_mixtures.hpp"
 #include "passes_truth.hpp"
 #include "wrappers_truth.hpp"
 
@@ -157,6 +158,16 @@ bool check(const Options& options, const std::string& what)
         return checkWrappersOf(options);
     if (what == "steps")
         return checkGlSteps(options);
+    if (what == "mixtures")
+    {
+        const auto drawing = [&](const std::string& macros)
+        {
+            return program({{GL_VERTEX_SHADER, glWholeTarget(options.api)},
+                            {GL_FRAGMENT_SHADER, passText(options, "lvsm_mixture.frag", macros)}},
+                           "lvsm_mixture.frag");
+        };
+        return checkMixtureDraws(drawing);
+    }
     const bool fragment = checkBlurs(options, false) & checkStores(options, false);
     return options.api == GlApi::Es30 ? fragment : fragment & checkBlurs(options, true) & checkStores(options, true);
 }
@@ -169,9 +180,9 @@ int main(int argc, char** argv)
     std::string what;
     std::string api;
     CLI::App app("Runs the one-file passes and wrappers by OpenGL, and compares with the library's C++ functions.");
-    app.add_option("what", what, "wrappers, passes or steps")
+    app.add_option("what", what, "wrappers, passes, steps or mixtures")
         ->required()
-        ->check(CLI::IsMember({"wrappers", "passes", "steps"}));
+        ->check(CLI::IsMember({"wrappers", "passes", "steps", "mixtures"}));
     app.add_option("api", api, "of OpenGL")->required()->check(CLI::IsMember(kApis));
     app.add_option("--single", options.single, "folder of the one-file versions")->required();
     app.add_option("--kernels", options.kernels, "folder of the shaders that call the wrappers")->required();

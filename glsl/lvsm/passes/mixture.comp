@@ -8,7 +8,7 @@
 //
 // Run it with what mixturePasses of include/lvsm/passes_mixture.hpp gives, the blocks and how many groups; mixture.glsl
 // has the settings. The target is a uimage2DArray: rgba32ui, but for the codes of two planes rg32ui. OpenGL ES has no
-// image of two components: define LVSM_MIXTURE_FORMAT rgba32ui there.
+// image of two components: define LVSM_MIXTURE_FORMAT rgba32ui there, or draw mixture.frag.
 // GLSL ES 3.10: put `#version 310 es` in the first line's place, `precision highp float;` and `precision highp int;`
 // after it.
 #include "mixture.glsl"

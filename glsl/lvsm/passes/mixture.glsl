@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 lvsm contributors
 // Needs: config, components, mixture, sampling/highp, depth, passes/depths.
-// What mixture.comp is made of: the block, the mixtures that depths begin with, and how a component lies in
+// What mixture.comp and mixture.frag share: the block, the mixtures that depths begin with, and how a component lies in
 // 128 bits in shared memory and between passes.
 //
-// mixturePasses of include/lvsm/passes_mixture.hpp fills the block and says what to run. Settings, in front of this file:
+// mixturePasses and mixtureDraws of include/lvsm/passes_mixture.hpp fill the block and say what to run. Settings, in
+// front of this file:
 //   #define LVSM_MIXTURE_COUNT 2             two planes in 64 bits; without, four in 128
 //   #define LVSM_MIXTURE_FROM_MIXTURES       for all passes but the first: they read mixtures and not depths
 //   #define LVSM_MIXTURE_TO_MIXTURES         for all passes but the last: they write mixtures and not codes
@@ -50,7 +51,7 @@ LVSM_MIXTURE_BLOCK uniform lvsm_Mixing
     ivec4 lvsm_region;
     // The texel of the codes that lies at the first texel of the source, and of the target.
     ivec4 lvsm_origins;
-    // Of the two rounds of a dispatch, in spacings; 0 where there is none.
+    // Of the two rounds of a dispatch, in spacings; of a draw along x and along y. 0 where there is none.
     ivec2 lvsm_steps;
     // Texels from one thread to the next.
     int lvsm_spacing;

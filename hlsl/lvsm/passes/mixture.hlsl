@@ -50,7 +50,7 @@ cbuffer lvsm_Mixing : register(LVSM_MIXTURE_BLOCK)
     int4 lvsm_region;
     // The texel of the codes that lies at the first texel of the source, and of the target.
     int4 lvsm_origins;
-    // Of the two rounds of a dispatch, in spacings; 0 where there is none.
+    // Of the two rounds of a dispatch, in spacings. 0 where there is none.
     int2 lvsm_steps;
     // Texels from one thread to the next.
     int lvsm_spacing;
