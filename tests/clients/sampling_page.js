@@ -32,7 +32,7 @@ function makeTexture(gl, format, kind = gl.TEXTURE_2D) {
 export async function main() {
     const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
     gl.getExtension("EXT_color_buffer_float");
-    for (const name of ["lvsm_blur.frag", "lvsm_store.frag"])
+    for (const name of ["lvsm_blur.frag", "lvsm_store.frag", "lvsm_mixture.frag"])
         program(gl, HEAD + (await text(name)).replace(/^[^\n]*\n/, ""));
 
     const wrappers = await text("lvsm_combined.glsl");

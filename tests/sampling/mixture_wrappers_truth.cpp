@@ -66,12 +66,10 @@ bool compareMixtureWrappers(const MixtureMaps& maps, const std::vector<MixtureRe
             const double visible =
                 isTwo ? lvsm::mixtureVisibility2(maps.two[at], offset, depth, r.gradient, r.deviation, bias)
                       : lvsm::mixtureVisibility4(maps.four[at], offset, depth, r.gradient, r.deviation, bias);
-            // Ten roundings of depths and slopes over the least deviation that a code has, times the root of 12; and an
-            // exponential of up to 16.
-            const double least = isTwo ? 0.2 * 0.14433757 / 225 : 0.05 * 0.14433757 / 9;
+            // Ten roundings of depths and slopes over the least deviation that a code has, times the root of 12.
             (isTwo ? two : four)
                 .expect(static_cast<double>(results[i][c]), isOff ? 1 : visible,
-                        10.0 / (1 << 24) / (std::sqrt(12.0) * least) + 35.0 / (1 << 23),
+                        10.0 / (1 << 24) / (std::sqrt(12.0) * lvsm::kLeastDeviation<double>)+35.0 / (1 << 23),
                         std::to_string(position.x) + ' ' + std::to_string(position.y) + " slice " +
                             std::to_string(r.slice));
         }

@@ -26,22 +26,11 @@ float barDepth(int x, int y)
 namespace
 {
 
-// A field of a code. Extents are left out where they are equal and a correlation may stand for them.
-struct CodeField
+// Bits of a word from begin on, as a number of two's complement where they are signed.
+double fieldAt(std::uint32_t word, int begin, int bits, bool hasSign = false)
 {
-    int begin;
-    int bits;
-    double of(std::uint32_t word) const { return word >> begin & ((1u << bits) - 1u); }
-};
-
-std::vector<CodeField> codeFields(int count, int word)
-{
-    if (count == 2)
-        return word == 0 ? std::vector<CodeField>{{0, 10}, {10, 5}, {15, 5}, {20, 4}, {24, 4}, {28, 2}, {30, 2}}
-                         : std::vector<CodeField>{{0, 10}, {10, 5}, {15, 5}, {20, 4}, {24, 4}, {28, 4}};
-    if (word == 0)
-        return {{0, 10}, {10, 4}, {14, 4}, {18, 2}, {20, 2}, {22, 2}, {24, 2}, {26, 2}, {28, 2}, {30, 2}};
-    return {{0, 10}, {10, 4}, {14, 4}, {18, 2}, {20, 4}, {24, 4}, {28, 4}};
+    const auto value = static_cast<int>(word >> begin & ((1u << bits) - 1u));
+    return hasSign && value >= 1 << (bits - 1) ? value - (1 << bits) : value;
 }
 
 std::string placeOf(std::size_t i, int width)
@@ -111,9 +100,18 @@ bool compareCode(Comparison& comparison, int count, const Packed& made, const gl
     {
         const std::uint32_t word = made[static_cast<std::size_t>(w)];
         isSame &= word == expected[w];
-        for (const CodeField& field : codeFields(count, w))
-            comparison.expect(field.of(word), field.of(expected[w]), tolerance,
-                              where + " word " + std::to_string(w) + " bit " + std::to_string(field.begin));
+        // Deviations of all planes, or share and place; then slopes.
+        const int low = w > 0 ? 4 : 12 / count;
+        for (int begin = 0; begin < 12; begin += low)
+            comparison.expect(fieldAt(word, begin, low), fieldAt(expected[w], begin, low), tolerance,
+                              where + " word " + std::to_string(w) + " bit " + std::to_string(begin));
+        for (const int begin : {12, 17})
+            comparison.expect(fieldAt(word, begin, 5, true), fieldAt(expected[w], begin, 5, true), tolerance,
+                              where + " word " + std::to_string(w) + " slope at bit " + std::to_string(begin));
+        // A depth is coded for the place and slope that are coded.
+        if ((word ^ expected[w]) << 10 == 0 && made[0] << 10 == expected[0] << 10)
+            comparison.expect(fieldAt(word, 22, 10), fieldAt(expected[w], 22, 10), tolerance,
+                              where + " word " + std::to_string(w) + " depth");
     }
     return isSame;
 }

@@ -106,8 +106,8 @@ bool checkDraws(const MixtureProgram& makeProgram, const MixtureCase& test, cons
         Shape shape = isLast ? test.coded() : Shape{draws.between.width, draws.between.height};
         shape.slices = test.count;
         const GLuint target = makeTarget(GL_RGBA32UI, shape);
-        const Mixtures made = mixturesOf(
-            pass, drawPass(makeProgram(macros + "#define LVSM_MIXTURE_TO_MIXTURES\n"), pass, i > 0, source, target, test.count));
+        const Mixtures made = mixturesOf(pass, drawPass(makeProgram(macros + "#define LVSM_MIXTURE_TO_MIXTURES\n"),
+                                                        pass, i > 0, source, target, test.count));
         const int x = pass.block.steps[0], y = pass.block.steps[1];
         Mixtures from = i > 0 ? before : depthMixtures(test, lvsm::detail::grown(made.area, x, y), depth);
         compareComponents(components, made, x + y > 0 ? mixed(test, from, x, y) : from, test.count);
@@ -135,7 +135,8 @@ bool checkMixtureDraws(const MixtureProgram& makeProgram)
     {
         for (const auto& [width, half] : {std::pair(1, false), {1, true}, {7, false}, {5, true}, {11, false}})
         {
-            MixtureCase test{std::to_string(count) + " components, width " + std::to_string(width) + (half ? ", half" : ""),
+            MixtureCase test{std::to_string(count) + " components, width " + std::to_string(width) +
+                                 (half ? ", half" : ""),
                              count, width, half};
             passed = checkDraws(makeProgram, test, barDepth) && passed;
             test.name += ", a part";

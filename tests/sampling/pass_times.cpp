@@ -47,9 +47,12 @@ public:
         for (int i = 0; i < size * size; ++i)
         {
             const int x = i % size, y = i / size;
-            const std::uint32_t hash = (static_cast<std::uint32_t>(x / 3) * 73856093u ^ static_cast<std::uint32_t>(y / 2) * 19349663u) * 2654435761u;
+            const std::uint32_t hash =
+                (static_cast<std::uint32_t>(x / 3) * 73856093u ^ static_cast<std::uint32_t>(y / 2) * 19349663u) *
+                2654435761u;
             const float ground = 0.5f + 0.3f * static_cast<float>(x + y) / static_cast<float>(2 * size);
-            depths.push_back(hash >> 30 == 0 && y < size / 2 ? 0.2f + static_cast<float>(hash >> 8 & 255u) / 1024.0f : ground);
+            depths.push_back(hash >> 30 == 0 && y < size / 2 ? 0.2f + static_cast<float>(hash >> 8 & 255u) / 1024.0f
+                                                             : ground);
         }
         m_depths = makeTexture(context, Shape{size, size}, vk::Format::eR32Sfloat, depths.data(), depths.size() * 4);
     }
@@ -57,7 +60,8 @@ public:
     Making moments(int width) const
     {
         Making making{"MSM4, fused and blurred, width " + std::to_string(width), {}, {}, {}, 1e30};
-        const auto passes = lvsm::fusedPasses(lvsm::binomialKernel(width), nullptr, 0, 0, m_whole, m_whole, glm::vec4(1));
+        const auto passes =
+            lvsm::fusedPasses(lvsm::binomialKernel(width), nullptr, 0, 0, m_whole, m_whole, glm::vec4(1));
         for (int i = 0; i < 2; ++i)
             making.textures.push_back(makeTexture(m_context, Shape{m_size, m_size}, vk::Format::eR16G16B16A16Unorm));
         making.buffers.push_back(makeBufferOf(m_context, std::vector{passes.store.block}));
@@ -79,7 +83,10 @@ public:
     Making mixtures(int count, int width, bool half) const
     {
         Making making{"K = " + std::to_string(count) + ", width " + std::to_string(width) + (half ? ", half" : ""),
-                      {}, {}, {}, 1e30};
+                      {},
+                      {},
+                      {},
+                      1e30};
         // At half resolution a texel of the map is two of the depths.
         const auto passes = lvsm::mixturePasses(half ? width / 4 * 2 + 1 : width, half, m_whole, m_whole);
         for (int i = 0; i < passes.count; ++i)
@@ -110,8 +117,10 @@ public:
         for (const Dispatch& d : making.dispatches)
             d.kernel.run(d.bindings, static_cast<std::uint32_t>(d.groups.x), static_cast<std::uint32_t>(d.groups.y), 1);
         stamp(1);
-        const auto ticks = m_queries.getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
-                                                               vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait).second;
+        const auto ticks = m_queries
+                               .getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t),
+                                                          vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait)
+                               .second;
         const double period = static_cast<double>(m_context.physical.getProperties().limits.timestampPeriod);
         making.milliseconds = std::min(making.milliseconds, static_cast<double>(ticks[1] - ticks[0]) * period * 1e-6);
     }

@@ -114,6 +114,28 @@ TEST_CASE("passes of mixtures write what the next one reads, and the codes of a 
     }
 }
 
+TEST_CASE("draws of mixtures go along x and along y by turns, and write what the next one reads")
+{
+    const lvsm::Rectangle map{0, 0, 64, 64};
+    const auto made = lvsm::mixtureDraws(9, false, map, {20, 30, 8, 4}, 2);
+    REQUIRE(made.count == 6);
+    for (int i = 0; i < made.count; ++i)
+    {
+        const auto& pass = made.passes[i];
+        CHECK(pass.block.steps[1 - i % 2] == 0);
+        CHECK(pass.block.steps[i % 2] == lvsm::mixtureWindow(9).steps[i / 2]);
+        if (i == 0)
+            continue;
+        const auto& before = made.passes[i - 1];
+        CHECK(before.block.region[0] == pass.block.region[0] - pass.block.steps[0]);
+        CHECK(before.block.region[1] == pass.block.region[1] - pass.block.steps[1]);
+        CHECK(before.region.y + before.region.height <= made.between.height);
+    }
+    CHECK(made.passes[5].region.x == 20);
+    CHECK(made.passes[5].block.slice == 2);
+    CHECK(lvsm::mixtureDraws(1, false, map, map).count == 1);
+}
+
 TEST_CASE("the block of the mixture passes has the offsets of std140 and of constant buffers")
 {
     CHECK(offsetof(lvsm::MixingBlock, region) == 16);
