@@ -446,15 +446,15 @@ CodeReceiver<T> codeReceiver(const glm::vec<2, T, Q>& offset, T depth, const glm
                              T bias)
 {
     using glm::abs;
-    const T near = kCodePlace<T> / sigma;
     const T steep = sigma * (kCodeSlope<T> / kMostCodedRise<T>);
+    const T perTexel = kCodePlace<T> / sigma;
     const glm::vec<2, T> f = clamped(offset, T(16));
     CodeReceiver<T> r;
     r.slope = clamped(glm::vec<2, T>(gradient.x * steep, gradient.y * steep), kCodeSlope<T>);
-    r.place = {T(0.5) * (f.x * near), T(0.5) * (f.y * near)};
+    r.place = glm::vec<2, T>(T(0.5) * (f.x * perTexel), T(0.5) * (f.y * perTexel));
     r.bias = clamp(bias, T(0), T(1)) * kCodeDepth<T>;
     r.depth = clamp(depth, T(0), T(1)) * kCodeDepth<T> - r.bias -
-              (r.slope.x * (f.x * near) + r.slope.y * (f.y * near));
+              (r.slope.x * (f.x * perTexel) + r.slope.y * (f.y * perTexel));
     // A slope u^2 is off by half a level of u at most, (2 u + 1/32) / 32, the square of which is less than
     // (8 u^2 + 2 / 32^2) / 32^2.
     r.rounding =

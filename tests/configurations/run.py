@@ -85,7 +85,7 @@ def run_parity(configuration, folder, rows, report):
     inputs.mkdir()
     run(rows, "write", inputs, check=True)
     answered = run(*configuration.runner.split(), folder / "answers", inputs).returncode == 0
-    judged = run(rows, "judge", inputs, configuration.name, report).returncode == 0
+    judged = run(rows, "judge", inputs, configuration.name, report, "precise").returncode == 0
     shutil.rmtree(inputs)
     found = json.loads(report.read_text())
     return {"functions": found["functions"], "inputs": found["inputs"], "parity_passed": answered and judged}
