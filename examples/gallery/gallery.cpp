@@ -1,22 +1,22 @@
 #include "gallery.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "pictures.hpp"
-#include "raster.hpp"
+#include "placer.hpp"
+#include "progress.hpp"
+#include "shading.hpp"
 
 namespace lvsm::gallery
 {
 namespace
 {
 
-using Type = vk::DescriptorType;
-
 constexpr float kAspect = 1.5f;
-constexpr vk::Format kVec4 = vk::Format::eR32G32B32A32Sfloat;
 
 View viewOf(const Camera& camera)
 {
@@ -25,40 +25,37 @@ View viewOf(const Camera& camera)
     return {projection * glm::lookAt(camera.eye, camera.target, {0, 1, 0}), glm::vec4(camera.eye, 1)};
 }
 
-class Progress
+std::vector<const Technique*> chosen(const GalleryOptions& options)
 {
-public:
-    explicit Progress(std::size_t steps) : m_steps(steps) {}
-
-    void step(const Scene& scene, const Light& light, const std::string& what)
+    std::vector<const Technique*> result;
+    for (const Technique& technique : techniques())
     {
-        ++m_done;
-        std::fprintf(stderr, "[%3zu %%] %s, %s: %s\n", 100 * m_done / m_steps, scene.title.c_str(), light.title.c_str(),
-                     what.c_str());
+        const auto& ids = options.techniques;
+        const bool isNamed = std::find(ids.begin(), ids.end(), technique.id) != ids.end();
+        if (ids.empty() ? technique.quick || options.full : isNamed)
+            result.push_back(&technique);
     }
+    return result;
+}
 
-private:
-    std::size_t m_steps;
-    std::size_t m_done = 0;
-};
+std::size_t stepsOf(const std::vector<Scene>& scenes, const GalleryOptions& options)
+{
+    std::size_t lights = 0;
+    for (const Scene& scene : scenes)
+        lights += makeLights(scene, options.mapSize, options.full).size();
+    return lights * (chosen(options).size() + 1);
+}
 
 class Renderer
 {
 public:
     Renderer(const VulkanContext& gpu, const GalleryOptions& options, const std::filesystem::path& folder,
-             std::size_t sceneCount)
-        : m_gpu(gpu), m_options(options), m_folder(folder),
-          m_shadowPass(gpu, "shadow.frag", {vk::Format::eR32Sfloat}, true),
-          m_surfacePass(gpu, "surface.frag", {kVec4, kVec4, kVec4, kVec4}, false),
-          m_exact(gpu, compile("exact.comp", support::ShaderStage::Compute),
-                  bindingsOf({Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
-                              Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageImage})),
-          m_sampler(support::makeSampler(gpu)), m_progress(sceneCount * 2 * (techniques().size() + 1))
+             std::size_t steps)
+        : m_gpu(gpu), m_options(options), m_folder(folder), m_surfacePass(gpu), m_shadowPass(gpu), m_reader(gpu),
+          m_placer(gpu), m_truth(gpu), m_techniques(chosen(options)), m_progress(steps)
     {
-        for (const Technique& technique : techniques())
-        {
-            m_runners.push_back(std::make_unique<TechniqueRunner>(gpu, technique));
-        }
+        for (const Technique* technique : m_techniques)
+            m_runners.push_back(std::make_unique<TechniqueRunner>(gpu, *technique));
     }
 
     void render(const Scene& scene, std::vector<Section>& sections)
@@ -66,14 +63,12 @@ public:
         const Buffer vertices = support::makeBufferOf(m_gpu, scene.mesh);
         const int width = m_options.size * kSupersampling;
         const int height = static_cast<int>(static_cast<float>(m_options.size) / kAspect) * kSupersampling;
-        const std::vector<Texture> surface = m_surfacePass.draw(vertices, viewOf(scene.camera), {width, height}, 0.0f);
-        Picture picture{width, height, support::readTexels<glm::vec4>(m_gpu, surface[0]),
-                        support::readTexels<glm::vec4>(m_gpu, surface[1]),
-                        support::readTexels<glm::vec4>(m_gpu, surface[3])};
-        for (const Light& light : makeLights(scene))
-        {
+        const Surface surface = m_surfacePass.draw(vertices, viewOf(scene.camera), {width, height});
+        const Picture picture{width, height, support::readTexels<glm::vec4>(m_gpu, surface.positions()),
+                              support::readTexels<glm::vec4>(m_gpu, surface.shadingNormals()),
+                              support::readTexels<glm::vec4>(m_gpu, surface.colours())};
+        for (const Light& light : makeLights(scene, m_options.mapSize, m_options.full))
             sections.push_back(renderLight(scene, light, vertices, surface, picture));
-        }
     }
 
 private:
@@ -83,82 +78,74 @@ private:
         const Scene& scene;
         const Light& light;
         const Picture& picture;
-        const Texture& positions;
+        const Surface& surface;
         const Buffer& lightBlock;
-        const Texture& depthMap;
-        const std::vector<float>& depths;
-        const Truth& truth;
-        const std::vector<bool>& shielded;
+        const LightDepths& depths;
+        // By the window's name.
+        std::map<std::string, Truth> truths = {};
+        std::vector<bool> shielded = {};
     };
 
-    Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices,
-                        const std::vector<Texture>& surface, const Picture& picture)
+    Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices, const Surface& surface,
+                        const Picture& picture)
     {
         const Buffer lightBlock = support::makeBufferOf(m_gpu, std::vector{light.block});
-        const View lightView{light.block.viewProjection, light.block.position};
-        const std::vector<Texture> maps =
-            m_shadowPass.draw(vertices, lightView, {m_options.mapSize, m_options.mapSize}, 1.0f, &lightBlock);
-        const std::vector<float> depths = support::readTexels<float>(m_gpu, maps[0]);
-        const Truth truth = exactVisibility(lightBlock, surface, maps[0]);
-        const std::vector<bool> shielded =
-            scene.shield ? shieldedGround(picture, truth, light, scene.shield->box) : std::vector<bool>();
+        const LightDepths depths = m_reader.read(m_shadowPass.draw(vertices, light), light);
+        Subject subject{scene, light, picture, surface, lightBlock, depths};
+        const Truth& truth = truthOf(subject, blurWindow());
+        if (scene.shield)
+            subject.shielded = shieldedGround(picture, truth, light, scene.shield->box);
 
-        Section section{&scene, light, fileName(scene, light, "exact"), {}};
+        Section section{&scene, light, fileName(subject, "exact"), {}};
         const std::vector<glm::vec2> exact(truth.begin(), truth.end());
         writeShaded(path(section.exact), picture, truth, exact, light.isSpot());
-        m_progress.step(scene, light, "exact");
-
-        const Subject subject{scene, light, picture, surface[0], lightBlock, maps[0], depths, truth, shielded};
-        for (std::size_t i = 0; i < m_runners.size(); ++i)
+        tell(subject, "exact");
+        for (std::size_t i = 0; i < m_techniques.size(); ++i)
         {
-            section.rows.push_back(renderTechnique(subject, techniques()[i], *m_runners[i]));
-            m_progress.step(scene, light, techniques()[i].title);
+            section.rows.push_back(renderTechnique(subject, *m_techniques[i], *m_runners[i]));
+            tell(subject, m_techniques[i]->title);
         }
         return section;
     }
 
-    Row renderTechnique(const Subject& subject, const Technique& technique, const TechniqueRunner& runner) const
+    Row renderTechnique(Subject& subject, const Technique& technique, const TechniqueRunner& runner)
     {
-        const auto fileOf = [&](const std::string& suffix)
-        {
-            return fileName(subject.scene, subject.light, technique.id + suffix);
-        };
-        const bool layered = technique.layerCount > 1;
         Row row;
         row.technique = &technique;
-        row.shaded = fileOf("");
-        row.errors = fileOf("-error");
-        if (layered)
-            row.splits = placeSplits(subject.depths, subject.depthMap.size, technique.layerCount);
+        row.shaded = fileName(subject, technique.id);
+        row.errors = fileName(subject, technique.id + "-error");
 
-        const TechniqueBlock block = parameters(technique, subject.light, row.splits);
-        const auto visibility = runner.run(subject.lightBlock, block, subject.depthMap, subject.positions);
-        row.figures = measure(visibility, subject.truth, subject.shielded);
-        writeShaded(path(row.shaded), subject.picture, subject.truth, visibility, subject.light.isSpot());
-        writeErrors(path(row.errors), subject.picture, subject.truth, visibility);
-        if (layered)
+        const Buffer splits = m_placer.place(technique, subject.scene, subject.light, subject.depths);
+        const auto visibility = runner.run(subject.light, subject.lightBlock, subject.depths, splits, subject.surface);
+        const Truth& truth = truthOf(subject, *technique.window);
+        row.figures = measure(visibility, truth, subject.shielded);
+        writeShaded(path(row.shaded), subject.picture, truth, visibility, subject.light.isSpot());
+        writeErrors(path(row.errors), subject.picture, truth, visibility);
+        if (technique.layerCount > 1)
         {
-            row.layers = fileOf("-layers");
-            writeLayers(path(row.layers), subject.picture, subject.truth, visibility);
+            row.splits = readSplits(splits, technique.layerCount);
+            row.layers = fileName(subject, technique.id + "-layers");
+            writeLayers(path(row.layers), subject.picture, truth, visibility);
         }
         return row;
     }
 
-    Truth exactVisibility(const Buffer& lightBlock, const std::vector<Texture>& surface, const Texture& depthMap) const
+    const Truth& truthOf(Subject& subject, const Window& window) const
     {
-        using namespace support;
-        const Texture result = makeTexture(m_gpu, surface[0].size, kVec4);
-        runOver(m_exact,
-                {uniformAt(0, lightBlock), sampledAt(1, surface[0].array, m_sampler),
-                 sampledAt(2, surface[1].array, m_sampler), sampledAt(3, surface[2].array, m_sampler),
-                 sampledAt(4, depthMap.array, m_sampler), storageAt(5, result.array)},
-                result.size);
-        return support::readTexels<glm::vec4>(m_gpu, result);
+        auto& truth = subject.truths[window.id];
+        if (truth.empty())
+            truth = m_truth.find(subject.lightBlock, subject.depths, subject.surface, window);
+        return truth;
     }
 
-    static std::string fileName(const Scene& scene, const Light& light, const std::string& what)
+    void tell(const Subject& subject, const std::string& what)
     {
-        return scene.id + "-" + light.id + "-" + what + ".png";
+        m_progress.step(subject.scene.title + ", " + subject.light.title + ": " + what);
+    }
+
+    static std::string fileName(const Subject& subject, const std::string& what)
+    {
+        return subject.scene.id + "-" + subject.light.id + "-" + what + ".png";
     }
 
     std::string path(const std::string& file) const { return (m_folder / file).string(); }
@@ -166,10 +153,12 @@ private:
     const VulkanContext& m_gpu;
     GalleryOptions m_options;
     std::filesystem::path m_folder;
-    RasterPass m_shadowPass;
-    RasterPass m_surfacePass;
-    Kernel m_exact;
-    vk::raii::Sampler m_sampler;
+    SurfacePass m_surfacePass;
+    ShadowPass m_shadowPass;
+    DepthReader m_reader;
+    Placer m_placer;
+    TruthFinder m_truth;
+    std::vector<const Technique*> m_techniques;
     std::vector<std::unique_ptr<TechniqueRunner>> m_runners;
     Progress m_progress;
 };
@@ -179,7 +168,7 @@ private:
 std::vector<Section> renderGallery(const VulkanContext& gpu, const std::vector<Scene>& scenes,
                                    const GalleryOptions& options, const std::filesystem::path& folder)
 {
-    Renderer renderer(gpu, options, folder, scenes.size());
+    Renderer renderer(gpu, options, folder, stepsOf(scenes, options));
     std::vector<Section> sections;
     for (const Scene& scene : scenes)
         renderer.render(scene, sections);

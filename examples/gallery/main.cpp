@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -32,6 +34,7 @@ struct CommandLine
     std::string device;
     std::string output = "build/gallery";
     std::string report;
+    std::vector<std::string> scenes;
     unsigned treeSeed = 11;
     bool validation = false;
 };
@@ -82,6 +85,19 @@ int complain(const std::string& message, int status)
     return status;
 }
 
+std::vector<Scene> scenesOf(const CommandLine& arguments, const Mesh& model)
+{
+    std::vector<Scene> scenes{makeBench(arguments.treeSeed), makePlanes(),
+                              makeFence(model, fs::path(arguments.model).filename().string())};
+    const auto isLeftOut = [&](const Scene& scene)
+    {
+        const auto& ids = arguments.scenes;
+        return !ids.empty() && std::find(ids.begin(), ids.end(), scene.id) == ids.end();
+    };
+    scenes.erase(std::remove_if(scenes.begin(), scenes.end(), isLeftOut), scenes.end());
+    return scenes;
+}
+
 int makeGallery(const CommandLine& arguments)
 {
     const fs::path output = fs::absolute(arguments.output).lexically_normal();
@@ -100,8 +116,7 @@ int makeGallery(const CommandLine& arguments)
     std::fprintf(stderr, "rendering on %s\n", device->name().device.c_str());
 
     PendingFolder folder(output);
-    const std::vector<Scene> scenes{makeBench(arguments.treeSeed), makePlanes(),
-                                    makeFence(*model, fs::path(arguments.model).filename().string())};
+    const std::vector<Scene> scenes = scenesOf(arguments, *model);
     const auto sections = renderGallery(device->context(), scenes, arguments.gallery, folder.path());
     const auto verdicts = judge(sections);
     write(folder.path() / "index.html",
@@ -136,6 +151,9 @@ int main(int argc, char** argv)
     app.add_option("--map-size", arguments.gallery.mapSize, "Texels along each side of the shadow map")
         ->check(CLI::Range(32, 8192))
         ->capture_default_str();
+    app.add_flag("--full,!--quick", arguments.gallery.full, "All techniques, scenes and frames (default: --quick)");
+    app.add_option("--technique", arguments.gallery.techniques, "Identifier of a technique to show, and no others");
+    app.add_option("--scene", arguments.scenes, "Identifier of a scene to show, and no others");
     app.add_option("--tree", arguments.treeSeed, "Seed that the tree over the bench grows from")->capture_default_str();
     app.add_option("--device", arguments.device,
                    "Part of the Vulkan device's name (default: $LVSM_VULKAN_DEVICE, or Mesa's lavapipe)");

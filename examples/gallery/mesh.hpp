@@ -23,6 +23,8 @@ struct Vertex
     glm::vec3 faceNormal;
     glm::vec3 colour;
     float object;
+    /// On a leaf that the alpha test cuts out, from -1 to 1 along and across; 0 on what is solid.
+    glm::vec2 place{0.0f};
 };
 
 /// Triangles, three vertices each.

@@ -14,10 +14,12 @@ namespace
 constexpr double kVisibleBleed = 0.03;
 constexpr double kLeftOver = 0.1;
 
-const Row& find(const Section& section, const std::string& technique)
+// Null where the technique was not asked for.
+const Row* find(const Section& section, const std::string& technique)
 {
-    return *std::find_if(section.rows.begin(), section.rows.end(),
-                         [&](const Row& row) { return row.technique->id == technique; });
+    const auto row = std::find_if(section.rows.begin(), section.rows.end(),
+                                  [&](const Row& each) { return each.technique->id == technique; });
+    return row == section.rows.end() ? nullptr : &*row;
 }
 
 std::string percent(double share)
@@ -29,8 +31,8 @@ std::string percent(double share)
 
 Verdict compare(const Section& section, const std::string& technique)
 {
-    const std::optional<double> bleeding = find(section, "vsm").figures.behindShield;
-    const Row& row = find(section, technique);
+    const std::optional<double> bleeding = find(section, "vsm")->figures.behindShield;
+    const Row& row = *find(section, technique);
     const std::string where = "Behind the bench, " + section.light.title + ": ";
     if (!bleeding)
         return {false, where + "the camera sees no ground in the bench's full shadow."};
@@ -71,7 +73,10 @@ std::vector<Verdict> judge(const std::vector<Section>& sections)
         if (section.scene->id != "bench")
             continue;
         for (const char* technique : {"lvsm4", "evsm4"})
-            verdicts.push_back(compare(section, technique));
+        {
+            if (find(section, "vsm") != nullptr && find(section, technique) != nullptr)
+                verdicts.push_back(compare(section, technique));
+        }
     }
     return verdicts;
 }

@@ -9,22 +9,15 @@ namespace
 {
 
 constexpr vk::Format kDepthFormat = vk::Format::eD32Sfloat;
-constexpr std::uint32_t kLightBinding = 0;
+constexpr vk::Format kVec4 = vk::Format::eR32G32B32A32Sfloat;
+constexpr std::size_t kSurfaceImages = 6;
 constexpr std::uint32_t kViewBinding = 1;
 
-std::vector<support::Binding> layoutOf(bool usesLight)
-{
-    std::vector<support::Binding> bindings{{kViewBinding, vk::DescriptorType::eUniformBuffer}};
-    if (usesLight)
-        bindings.push_back({kLightBinding, vk::DescriptorType::eUniformBuffer});
-    return bindings;
-}
-
-support::RasterOptions optionsOf(const std::vector<vk::Format>& formats)
+support::Raster makeRaster(const VulkanContext& gpu, const std::string& fragmentShader, std::size_t images)
 {
     constexpr auto vec3 = vk::Format::eR32G32B32Sfloat;
     support::RasterOptions options;
-    options.colours = formats;
+    options.colours.assign(images, kVec4);
     options.depth = kDepthFormat;
     options.keep = false;
     options.vertexBytes = sizeof(Vertex);
@@ -32,43 +25,63 @@ support::RasterOptions optionsOf(const std::vector<vk::Format>& formats)
                           {1, 0, vec3, offsetof(Vertex, normal)},
                           {2, 0, vec3, offsetof(Vertex, faceNormal)},
                           {3, 0, vec3, offsetof(Vertex, colour)},
-                          {4, 0, vk::Format::eR32Sfloat, offsetof(Vertex, object)}};
-    return options;
+                          {4, 0, vk::Format::eR32Sfloat, offsetof(Vertex, object)},
+                          {5, 0, vk::Format::eR32G32Sfloat, offsetof(Vertex, place)}};
+    return {gpu,
+            compile("scene.vert", support::ShaderStage::Vertex),
+            compile(fragmentShader, support::ShaderStage::Fragment),
+            {{kViewBinding, vk::DescriptorType::eUniformBuffer}},
+            options};
 }
+
+std::uint32_t countOf(const Buffer& vertices)
+{
+    return static_cast<std::uint32_t>(vertices.size / sizeof(Vertex));
+}
+
+const vk::ClearValue kFarthest(vk::ClearDepthStencilValue(1.0f, 0));
 
 } // namespace
 
-RasterPass::RasterPass(const VulkanContext& gpu, const std::string& fragmentShader, std::vector<vk::Format> formats,
-                       bool usesLight)
-    : m_gpu(gpu), m_formats(std::move(formats)),
-      m_raster(gpu, compile("scene.vert", support::ShaderStage::Vertex),
-               compile(fragmentShader, support::ShaderStage::Fragment), layoutOf(usesLight), optionsOf(m_formats))
+SurfacePass::SurfacePass(const VulkanContext& gpu)
+    : m_gpu(gpu), m_raster(makeRaster(gpu, "surface.frag", kSurfaceImages))
 {
 }
 
-std::vector<Texture> RasterPass::draw(const Buffer& vertices, const View& view, const support::Shape& size, float clear,
-                                      const Buffer* light) const
+Surface SurfacePass::draw(const Buffer& vertices, const View& view, const support::Shape& size) const
 {
-    std::vector<Texture> images;
+    Surface surface;
     std::vector<vk::ImageView> targets;
-    std::vector<vk::ClearValue> clears;
-    for (const vk::Format format : m_formats)
+    std::vector<vk::ClearValue> clears(kSurfaceImages, vk::ClearColorValue(std::array{0.0f, 0.0f, 0.0f, 0.0f}));
+    for (std::size_t i = 0; i < kSurfaceImages; ++i)
     {
-        images.push_back(support::makeTexture(m_gpu, size, format));
-        targets.push_back(*images.back().flat);
-        clears.emplace_back(vk::ClearColorValue(std::array{clear, clear, clear, clear}));
+        surface.images.push_back(support::makeTexture(m_gpu, size, kVec4));
+        targets.push_back(*surface.images.back().flat);
     }
     const Texture depth = support::makeTexture(m_gpu, size, kDepthFormat);
     targets.push_back(*depth.flat);
-    clears.emplace_back(vk::ClearDepthStencilValue(1.0f, 0));
+    clears.push_back(kFarthest);
+    const Buffer block = support::makeBufferOf(m_gpu, std::vector{view});
+    m_raster.draw({support::uniformAt(kViewBinding, block)}, targets, size.extent(), countOf(vertices), &vertices,
+                  clears);
+    return surface;
+}
 
-    const Buffer viewBlock = support::makeBufferOf(m_gpu, std::vector{view});
-    std::vector<support::Binding> bindings{support::uniformAt(kViewBinding, viewBlock)};
-    if (light != nullptr)
-        bindings.push_back(support::uniformAt(kLightBinding, *light));
-    const auto count = static_cast<std::uint32_t>(vertices.size / sizeof(Vertex));
-    m_raster.draw(bindings, targets, size.extent(), count, &vertices, clears);
-    return images;
+ShadowPass::ShadowPass(const VulkanContext& gpu) : m_gpu(gpu), m_raster(makeRaster(gpu, "shadow.frag", 0)) {}
+
+Texture ShadowPass::draw(const Buffer& vertices, const Light& light) const
+{
+    const support::Shape size{light.mapSize, light.mapSize, light.faceCount()};
+    Texture depths = support::makeTexture(m_gpu, size, kDepthFormat);
+    for (int face = 0; face < light.faceCount(); ++face)
+    {
+        const View view{light.block.faces[static_cast<std::size_t>(face)].viewProjection, light.block.position};
+        const Buffer block = support::makeBufferOf(m_gpu, std::vector{view});
+        const auto target = support::makeSliceView(m_gpu, depths, face);
+        m_raster.draw({support::uniformAt(kViewBinding, block)}, {*target}, size.extent(), countOf(vertices), &vertices,
+                      {kFarthest});
+    }
+    return depths;
 }
 
 } // namespace lvsm::gallery

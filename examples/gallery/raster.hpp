@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh.hpp"
+#include "light.hpp"
 #include "shaders.hpp"
 
 namespace lvsm::gallery
@@ -17,21 +17,42 @@ struct View
     glm::vec4 eye;
 };
 
-/// Draws a mesh with a depth test into colour images of one size.
-class RasterPass
+/// What the camera sees, by the outputs of surface.frag.
+struct Surface
+{
+    std::vector<Texture> images;
+
+    const Texture& positions() const { return images[0]; }
+    const Texture& shadingNormals() const { return images[1]; }
+    const Texture& planeNormals() const { return images[2]; }
+    const Texture& colours() const { return images[3]; }
+    const Texture& alongX() const { return images[4]; }
+    const Texture& alongY() const { return images[5]; }
+};
+
+/// Draws a scene as the camera sees it.
+class SurfacePass
 {
 public:
-    /// `usesLight`: the fragment shader reads the light's block at binding 0.
-    RasterPass(const VulkanContext& gpu, const std::string& fragmentShader, std::vector<vk::Format> formats,
-               bool usesLight);
+    explicit SurfacePass(const VulkanContext& gpu);
 
-    /// Makes and fills one image for each format; `clear` is what a pixel without a surface holds, in all components.
-    std::vector<Texture> draw(const Buffer& vertices, const View& view, const support::Shape& size, float clear,
-                              const Buffer* light = nullptr) const;
+    Surface draw(const Buffer& vertices, const View& view, const support::Shape& size) const;
 
 private:
     const VulkanContext& m_gpu;
-    std::vector<vk::Format> m_formats;
+    support::Raster m_raster;
+};
+
+/// Draws a scene as a light sees it: its depth buffer, a slice to a face.
+class ShadowPass
+{
+public:
+    explicit ShadowPass(const VulkanContext& gpu);
+
+    Texture draw(const Buffer& vertices, const Light& light) const;
+
+private:
+    const VulkanContext& m_gpu;
     support::Raster m_raster;
 };
 

@@ -36,6 +36,10 @@ Scene makePlanes()
     scene.focus = {{-2.3f, 0.0f, -1.7f}, {2.0f, 2.7f, 2.4f}};
     scene.lightDirection = glm::normalize(glm::vec3(0.15f, -1.0f, 0.45f));
     scene.shield = Shield{"plane B", planeB};
+    scene.lights = {LightKind::Directional, LightKind::Lamp};
+    scene.furtherLights = {LightKind::Spot};
+    scene.lamp = {-0.3f, 3.6f, -0.3f};
+    scene.cuts = {{0, 2.5f, 0}, {0, 0.7f, 0}, {0, 0.4f, 0}};
     return scene;
 }
 
@@ -57,6 +61,8 @@ Scene makeBench(unsigned treeSeed)
     scene.focus = {{-3.1f, 0.0f, -3.0f}, {2.4f, 5.5f, 2.0f}};
     scene.lightDirection = glm::normalize(glm::vec3(0.12f, -1.0f, 0.34f));
     scene.shield = Shield{"the bench", seat};
+    scene.lights = {LightKind::Spot, LightKind::Directional};
+    scene.cuts = {{0, 1.7f, 0}, {0, 0.65f, 0}, {0, 0.4f, 0}};
     return scene;
 }
 
@@ -86,6 +92,9 @@ Scene makeFence(const Mesh& model, const std::string& modelName)
     scene.camera = {{1.1f, 1.55f, 4.6f}, {0.05f, 0.45f, 0.0f}, 28.0f};
     scene.focus = {{-1.1f, 0.0f, -1.5f}, {1.6f, 1.1f, 1.5f}};
     scene.lightDirection = glm::normalize(glm::vec3(0.85f, -0.52f, -0.42f));
+    scene.lights = {LightKind::Directional};
+    scene.furtherLights = {LightKind::Spot};
+    scene.cuts = {{-0.9f, 0.5f, 0}, {-0.5f, 0.5f, 0}, {0.1f, 0.5f, 0}};
     return scene;
 }
 

@@ -25,6 +25,14 @@ struct Shield
     Box box;
 };
 
+enum class LightKind
+{
+    Spot,
+    Directional,
+    /// Shines all around.
+    Lamp
+};
+
 struct Scene
 {
     std::string id;
@@ -37,6 +45,13 @@ struct Scene
     /// The way the directional light travels, unit length; the spot light comes from the same side.
     glm::vec3 lightDirection;
     std::optional<Shield> shield;
+    /// What it is shown under, and what more with --full.
+    std::vector<LightKind> lights;
+    std::vector<LightKind> furtherLights;
+    /// Where the lamp hangs.
+    glm::vec3 lamp{0.0f};
+    /// Where a person would part three of four layers.
+    std::vector<glm::vec3> cuts;
 };
 
 /// The paper's figure 2: plane A over plane B over the ground C.

@@ -7,33 +7,33 @@ namespace lvsm::gallery
 namespace
 {
 
-support::Shader orThrow(support::Result<std::vector<std::uint32_t>> compiled)
+support::Shader compileFile(const std::string& path, support::ShaderStage stage, const std::string& preamble)
 {
+    support::ShaderOptions options;
+    options.stage = stage;
+    options.preamble = preamble;
+    options.includeFolders = {LVSM_GALLERY_SHADERS, LVSM_GLSL};
+    auto compiled = support::compileShaderFile(path, options);
     if (!compiled)
         throw std::runtime_error("a shader does not compile:\n" + compiled.error());
     return {std::move(*compiled)};
-}
-
-support::ShaderOptions options(support::ShaderStage stage, const std::string& preamble)
-{
-    support::ShaderOptions result;
-    result.stage = stage;
-    result.preamble = preamble;
-    result.includeFolders = {LVSM_GALLERY_SHADERS, LVSM_GLSL};
-    return result;
 }
 
 } // namespace
 
 support::Shader compile(const std::string& file, support::ShaderStage stage, const std::string& preamble)
 {
-    return orThrow(
-        support::compileShaderFile(std::string(LVSM_GALLERY_SHADERS) + "/" + file, options(stage, preamble)));
+    return compileFile(std::string(LVSM_GALLERY_SHADERS) + "/" + file, stage, preamble);
 }
 
-support::Shader compileText(const std::string& text, support::ShaderStage stage, const std::string& preamble)
+support::Shader compilePass(const std::string& file, const std::string& preamble)
 {
-    return orThrow(support::compileShader(text, options(stage, preamble)));
+    return compileFile(std::string(LVSM_GLSL) + "/lvsm/passes/" + file, support::ShaderStage::Compute, preamble);
+}
+
+std::string define(const std::string& name, const std::string& value)
+{
+    return "#define " + name + " " + value + "\n";
 }
 
 std::vector<support::Binding> bindingsOf(const std::vector<vk::DescriptorType>& types)
@@ -44,14 +44,15 @@ std::vector<support::Binding> bindingsOf(const std::vector<vk::DescriptorType>& 
     return bindings;
 }
 
-void runOver(const Kernel& kernel, const std::vector<support::Binding>& bindings, const support::Shape& size,
-             int layers)
+void runPass(const Kernel& kernel, const std::vector<support::Binding>& bindings, const GroupCount& groups)
 {
-    const auto groups = [](int texels)
-    {
-        return static_cast<std::uint32_t>((texels + 15) / 16);
-    };
-    kernel.run(bindings, groups(size.width), groups(size.height), static_cast<std::uint32_t>(layers));
+    kernel.run(bindings, static_cast<std::uint32_t>(groups.x), static_cast<std::uint32_t>(groups.y),
+               static_cast<std::uint32_t>(groups.z));
+}
+
+void runOver(const Kernel& kernel, const std::vector<support::Binding>& bindings, const support::Shape& size)
+{
+    runPass(kernel, bindings, {(size.width + 15) / 16, (size.height + 15) / 16, 1});
 }
 
 } // namespace lvsm::gallery

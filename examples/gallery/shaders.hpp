@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <lvsm/passes.hpp>
+
 #include "gpu.hpp"
 #include "shader_compiler.hpp"
 
@@ -17,15 +19,20 @@ using support::VulkanContext;
 
 /// Compiles a file of the gallery's shader folder; throws with the compiler's log.
 support::Shader compile(const std::string& file, support::ShaderStage stage, const std::string& preamble = "");
-/// Compiles text that includes the gallery's files; throws with the compiler's log.
-support::Shader compileText(const std::string& text, support::ShaderStage stage, const std::string& preamble);
+/// Compiles a compute shader of the library's folder passes; throws with the compiler's log.
+support::Shader compilePass(const std::string& file, const std::string& preamble);
 
-/// Bindings 0, 1, 2, ... of a layout.
+/// A line that defines a macro.
+std::string define(const std::string& name, const std::string& value = "");
+
+/// What the bindings of a layout need to be known by: the types at 0, 1, 2, ...
 std::vector<support::Binding> bindingsOf(const std::vector<vk::DescriptorType>& types);
 
-/// One invocation for each texel of a kernel's groups of 16 x 16, in each of `layers`.
-void runOver(const Kernel& kernel, const std::vector<support::Binding>& bindings, const support::Shape& size,
-             int layers = 1);
+/// Runs one of the library's passes.
+void runPass(const Kernel& kernel, const std::vector<support::Binding>& bindings, const GroupCount& groups);
+
+/// One invocation for each pixel, in groups of 16 x 16.
+void runOver(const Kernel& kernel, const std::vector<support::Binding>& bindings, const support::Shape& size);
 
 } // namespace lvsm::gallery
 

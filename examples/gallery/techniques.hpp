@@ -2,27 +2,69 @@
 #define LVSM_GALLERY_TECHNIQUES_HPP
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "light.hpp"
-#include "shaders.hpp"
+#include <glm/vec4.hpp>
+#include <vulkan/vulkan.hpp>
 
 namespace lvsm::gallery
 {
 
-/// The uniform block of shaders/technique.glsl.
-struct TechniqueBlock
+/// What a texel of a map is.
+struct Storage
 {
-    glm::vec2 exponents{0.0f};
-    float minVariance = 0.0f;
-    float bias = 0.0f;
+    vk::Format format;
+    /// The same as a GLSL layout qualifier.
+    const char* qualifier;
+    const char* words;
+    int bits;
+    /// Of a depth that is stored, in depth.
+    float depthError;
+    /// The largest value, as GLSL.
+    const char* largest;
+};
+
+/// Which of the library's passes make a map from a depth buffer.
+enum class Making
+{
+    /// Store alone: what is read is filtered when it is judged, or not at all.
+    Stored,
+    /// Store and blur, fused.
+    Blurred,
+    /// The same, and beside the map the unblurred one and the greatest depths under the blur.
+    BlurredBeside,
+    /// Mixtures, whose window is their blur.
+    Mixed
+};
+
+/// Where the splits of layers come from: the last two from the placement passes, on the device.
+enum class Placing
+{
+    None,
+    Uniform,
+    /// At the points that the scene names.
+    Manual,
+    Relaxed,
+    Optimal
+};
+
+struct Layers
+{
+    int count = 1;
+    Placing placing = Placing::None;
     float overlap = 0.0f;
     float transition = 0.0f;
-    int layerCount = 1;
-    float padding = 0.0f;
-    std::array<glm::vec4, 9> splits{};
+};
+
+/// The filter that a technique approximates, for the truth: see shaders/exact.comp.
+struct Window
+{
+    std::string id;
+    int reach;
+    float extent;
+    float deviation;
+    std::vector<float> taps;
 };
 
 struct Technique
@@ -31,46 +73,33 @@ struct Technique
     std::string title;
     /// One sentence for the reader of the page.
     std::string explanation;
+    const Storage* texel;
+    /// Array layers of the map.
+    int slices;
+    Making making;
+    /// What slice number `slice` holds for a `depth`, as LVSM_STORE has it; empty for the library's layers.
+    std::string store;
+    /// The call of a wrapper; see shaders/shade.comp for what it may use.
+    std::string visibility;
+    const Window* window;
+    /// What an empty texel of each slice holds; one for all where they are alike.
+    std::vector<glm::vec4> border;
+    Layers layers;
+    /// Shown without --full.
+    bool quick;
+
+    // Filled in from the rest.
+    int layerCount = 1;
     /// The storage format in words, and what it takes.
-    std::string storage;
-    int bits;
-    vk::Format format;
-    /// The same format as a GLSL layout qualifier.
-    std::string qualifier;
-    int texels;
-    /// The shader that encodes and receives.
-    std::string shader;
-    bool filtered;
-    int layerCount;
+    std::string storage{};
+    int bits = 0;
 };
 
+/// The window of the blur that most maps have.
+const Window& blurWindow();
+
+/// All techniques, one row each.
 const std::vector<Technique>& techniques();
-
-/// The splits that Lloyd relaxation places for a depth map; throws where it refuses the map.
-std::vector<float> placeSplits(const std::vector<float>& depths, const support::Shape& size, int layerCount);
-
-/// What the technique's shader needs for this light.
-TechniqueBlock parameters(const Technique& technique, const Light& light, const std::vector<float>& splits);
-
-/// The pipelines of one technique.
-class TechniqueRunner
-{
-public:
-    TechniqueRunner(const VulkanContext& gpu, const Technique& technique);
-
-    /// Stores and blurs the depth map as the technique does and evaluates it for the camera's picture:
-    /// visibility and layer for each pixel of `positions`, layer -1 where the map does not reach.
-    std::vector<glm::vec2> run(const Buffer& light, const TechniqueBlock& block, const Texture& depthMap,
-                               const Texture& positions) const;
-
-private:
-    const VulkanContext& m_gpu;
-    const Technique& m_technique;
-    Kernel m_encode;
-    std::optional<Kernel> m_blur;
-    Kernel m_receive;
-    vk::raii::Sampler m_sampler;
-};
 
 } // namespace lvsm::gallery
 

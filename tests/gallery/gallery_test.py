@@ -9,9 +9,14 @@ import sys
 import tempfile
 
 NO_DEVICE = 77
-SCENES = ["bench", "planes", "fence"]
-LIGHTS = ["spot", "directional"]
-BITS = {"basic": 32, "vsm": 64, "lvsm2": 64, "lvsm4": 128, "evsm4": 128}
+SECTIONS = [("bench", "spot"), ("bench", "directional"), ("planes", "directional"), ("planes", "point"),
+            ("fence", "directional")]
+BITS = {"basic": 32, "pcf9-gauss": 32, "vsm": 64, "lvsm2": 64, "lvsm4": 128, "lvsm4-bracketed": 128,
+        "lvsm4-plane": 128, "evsm4": 128, "esm": 32, "csm": 256, "msm4": 64, "mixture4": 128}
+ALL = 25
+# What filters the same texels with the same weights as the truth differs from it by rounding and by what is too slanted
+# for the bias.
+SAME_AS_TRUTH = 0.005
 OTHER_MODEL = "/usr/share/glmark2/models/horse.3ds"
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -62,12 +67,12 @@ def expect_refusal(folder, done, named):
 
 @case
 def bleedsInVsmAndNotInFourLayersOrExponential(folder):
-    rows = render(folder)
+    rows = render(folder, "--map-size", "256")
     found = [(row["scene"], row["light"], row["technique"], row["bits"]) for row in rows]
-    assert found == [(s, l, t, b) for s in SCENES for l in LIGHTS for t, b in BITS.items()], found
+    assert found == [(*section, t, b) for section in SECTIONS for t, b in BITS.items()], found
     for row in rows:
         assert all(0 <= row[figure] <= 1 for figure in ("rmse", "bleed", "dark")), row
-    for light in LIGHTS:
+    for light in ("spot", "directional"):
         behind = {row["technique"]: row["shield_bleed"] for row in rows
                   if (row["scene"], row["light"]) == ("bench", light)}
         assert behind["vsm"] > 0.1, behind
@@ -82,6 +87,18 @@ def bleedsInVsmAndNotInFourLayersOrExponential(folder):
 
 
 @case
+def everyTechniqueIsBetweenNothingAndTheTruth(folder):
+    rows = render(folder, "--full", "--scene", "bench", "--map-size", "256")
+    errors = {row["technique"]: row["rmse"] for row in rows if row["light"] == "directional"}
+    assert len(errors) == ALL, errors
+    for technique, error in errors.items():
+        if technique.startswith("pcf"):
+            assert error < SAME_AS_TRUTH, (technique, error)
+        # No shadows at all have the error of the share that is in shadow, here about a half.
+        assert error < 0.2, (technique, error)
+
+
+@case
 def exitStatusSaysThatBleedingIsNotShown(folder):
     # So coarse a map that the blur leaves no ground in the bench's full shadow.
     done = run_gallery(folder, "--map-size", "32")
@@ -93,7 +110,7 @@ def exitStatusSaysThatBleedingIsNotShown(folder):
 
 @case
 def rendersAnotherModel(folder):
-    render(folder, OTHER_MODEL)
+    render(folder, OTHER_MODEL, "--scene", "fence", "--technique", "vsm")
     assert "horse.3ds" in (folder / "gallery/index.html").read_text()
 
 

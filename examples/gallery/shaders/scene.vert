@@ -11,12 +11,14 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 faceNormal;
 layout(location = 3) in vec3 colour;
 layout(location = 4) in float object;
+layout(location = 5) in vec2 place;
 
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;
 layout(location = 2) out vec3 worldFaceNormal;
 layout(location = 3) out vec3 albedo;
 layout(location = 4) out float objectNumber;
+layout(location = 5) out vec2 placeOnLeaf;
 
 void main()
 {
@@ -26,4 +28,5 @@ void main()
     worldFaceNormal = faceNormal;
     albedo = colour;
     objectNumber = object;
+    placeOnLeaf = place;
 }

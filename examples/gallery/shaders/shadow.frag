@@ -1,11 +1,11 @@
 #version 450
 
-#include "light.glsl"
+#include "cutout.glsl"
 
-layout(location = 0) in vec3 worldPosition;
-layout(location = 0) out float depth;
+layout(location = 5) in vec2 placeOnLeaf;
 
 void main()
 {
-    depth = lightDepth(worldPosition);
+    if (isCutOut(placeOnLeaf))
+        discard;
 }
