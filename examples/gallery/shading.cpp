@@ -16,7 +16,6 @@ constexpr float kWorstDarkening = 0.01f;
 // Storing and two blur passes each round once.
 constexpr float kRoundings = 3.0f;
 constexpr float kBiasMetres = 0.004f;
-constexpr float kUnfilteredBiasMetres = 0.02f;
 constexpr std::size_t kMostTaps = 68;
 
 // The uniform block of shaders/shade.comp.
@@ -80,9 +79,8 @@ std::vector<glm::vec2> TechniqueRunner::run(const Light& light, const Buffer& li
                                             const Buffer& splits, const Surface& surface) const
 {
     const Maps maps = m_maps->make(depths, splits);
-    const bool isHard = m_technique.window->extent < 0.0f;
-    const ShadingBlock shading{(isHard ? kUnfilteredBiasMetres : kBiasMetres) / light.metresPerDepth(),
-                               m_technique.layers.transition, m_technique.slices, 0.0f};
+    const ShadingBlock shading{kBiasMetres / light.metresPerDepth(), m_technique.layers.transition, m_technique.slices,
+                               0.0f};
     const Buffer block = support::makeBufferOf(m_gpu, std::vector{shading});
     const Texture result = support::makeTexture(m_gpu, surface.positions().size, vk::Format::eR32G32Sfloat);
     // A wrapper that needs one map does not look at the others.

@@ -26,7 +26,6 @@ const Storage kRgba32ui{Format::eR32G32B32A32Uint, "rgba32ui", "a code of 128 bi
 
 constexpr float kGaussianDeviation = 1.4142136f; // that of the binomial blur of 9 taps
 const Window kBlur{"blur", 4, 0, 0, {70.0f / 256, 56.0f / 256, 28.0f / 256, 8.0f / 256, 1.0f / 256}};
-const Window kNearest{"nearest", 0, -1, 0, {}};
 const Window kBilinear{"2x2", 1, 1, 0, {}};
 const Window kBox3{"3x3", 2, 3, 0, {}};
 const Window kGauss3{"3x3-gauss", 2, 3, 1, {}};
@@ -35,12 +34,12 @@ const Window kGauss9{"9x9-gauss", 5, 9, kGaussianDeviation, {}};
 const Window kTree7{"tree", 3, 0, 0, {4.0f / 16, 3.0f / 16, 2.0f / 16, 1.0f / 16}};
 
 constexpr int kTerms = 16;
-const glm::vec2 kExponents{42.0f, 10.0f};
+const glm::vec2 kExponents{43.3f, 10.0f};
 constexpr float kEsmExponent = 80.0f;
 
 const char* const kDepth = "vec4(depth, 0.0, 0.0, 0.0)";
 const char* const kMoments = "vec4(lvsm_depthMoments(depth), 0.0, 0.0)";
-const char* const kWarped = "lvsm_exponentialMoments(depth, vec2(42.0, 10.0))";
+const char* const kWarped = "lvsm_exponentialMoments(depth, vec2(43.3, 10.0))";
 const char* const kTerm = "vec4(lvsm_occluderTerm(depth, 80.0), 0.0, 0.0, 0.0)";
 const char* const kFourier = "lvsm_encodeFourier((slice & 1) == 0 ? lvsm_fourierSines(depth, 2 * slice + 1, 16)"
                              " : lvsm_fourierCosines(depth, 2 * slice - 1, 16))";
@@ -94,8 +93,8 @@ std::vector<Technique> table()
     constexpr auto blurred = Making::Blurred;
     return {
         {"basic", "Shadow map", "One comparison with the nearest texel: hard and jagged edges.", &kR32f, 1, stored,
-         kDepth, "lvsm_stepWarp(lvsm_fetchSlice(map, at, 0, floor(at.uv * size)).x, depth)", &kNearest, kOnes, none,
-         true},
+         kDepth, "lvsm_stepWarp(lvsm_fetchSlice(map, at, 0, floor(at.uv * size)).x, depth - 4.0 * bias)", &kBlur, kOnes,
+         none, true},
         {"pcf2", "PCF 2 &times; 2", "The four nearest texels are compared, and the results are interpolated.", &kR32f,
          1, stored, kDepth, "lvsm_samplePcf(map, at, depth, gradient, 1.0, 0.0, 0.0)", &kBilinear, kOnes, none, false},
         {"pcf3", "PCF 3 &times; 3", "A box of three texels, each compared with the receiver's plane.", &kR32f, 1,
@@ -129,9 +128,9 @@ std::vector<Technique> table()
         {"lvsm4-plane", "LVSM-4, relative to the plane", "Bracketed layers, judged by the receiver's own plane.",
          &kRgba16, 2, blurred, kLayers, kPlane, &kBlur, kOnes, apart(4), true},
         {"evsm2", "EVSM2", "Chebyshev's bound of an exponential warp.", &kRg32f, 1, blurred, kWarped,
-         "lvsm_sampleExponential2(map, at, depth, 42.0, MIN_VARIANCE)", &kBlur, warped, none, false},
+         "lvsm_sampleExponential2(map, at, depth, 43.3, MIN_VARIANCE)", &kBlur, warped, none, false},
         {"evsm4", "EVSM4", "The lesser of the bounds from a positive and a negative exponential warp.", &kRgba32f, 1,
-         blurred, kWarped, "lvsm_sampleExponential4(map, at, depth, vec2(42.0, 10.0), MIN_VARIANCE)", &kBlur, warped,
+         blurred, kWarped, "lvsm_sampleExponential4(map, at, depth, vec2(43.3, 10.0), MIN_VARIANCE)", &kBlur, warped,
          none, true},
         {"esm", "ESM", "One exponential term, and four comparisons where it is seen to fail.", &kR32f, 1,
          Making::BlurredBeside, kTerm, "lvsm_sampleEsm(map, unfiltered, at, depth, 80.0, 0.02)", &kBlur, term, none,

@@ -12,9 +12,20 @@ const [path, gallery] = process.argv.slice(2);
 // SwiftShader does not have: floats of 32 bits take its place. That moves the figures by a few percent.
 const TOLERANCE = 0.15;
 
+// The gallery's settings and splits, where they are not the viewer's defaults.
+const SAME = {
+    basic: "left=basic",
+    vsm: "left=vsm&left.format=fp32&left.slope=off",
+    lvsm2: "left=lvsm&left.layers=2&left.overlap=0.01&left.format=fp32&left.slope=off",
+    lvsm4: "left=lvsm&left.layers=4&left.overlap=0.01&left.format=fp32&left.slope=off",
+    evsm4: "left=evsm4&left.exponent=43.3&left.slope=off",
+};
+
 function measuredByGallery() {
     const folder = mkdtempSync(join(tmpdir(), "lvsm-viewer-"));
-    const done = spawnSync(gallery, ["--size", "256", "--output", join(folder, "gallery")], {encoding: "utf8"});
+    const asked = ["bench", "planes"].flatMap((scene) => ["--scene", scene])
+        .concat(Object.keys(SAME).flatMap((technique) => ["--technique", technique]));
+    const done = spawnSync(gallery, ["--full", "--size", "256", ...asked, "--output", join(folder, "gallery")], {encoding: "utf8"});
     if (done.status === 77) {
         console.log("skipped: no Vulkan device for the gallery");
         process.exit(77);
@@ -25,15 +36,6 @@ function measuredByGallery() {
     return (scene, light, technique) => rows.find((row) => row.scene === scene && row.light === light &&
                                                            row.technique === technique);
 }
-
-// The gallery's settings and splits, where they are not the viewer's defaults.
-const SAME = {
-    basic: "left=basic",
-    vsm: "left=vsm&left.format=fp32&left.slope=off",
-    lvsm2: "left=lvsm&left.layers=2&left.overlap=0.01&left.format=fp32&left.slope=off",
-    lvsm4: "left=lvsm&left.layers=4&left.overlap=0.01&left.format=fp32&left.slope=off",
-    evsm4: "left=evsm4&left.exponent=43.3&left.slope=off",
-};
 
 // The grey of UNLIT in show.frag.glsl.
 const SLATE = 110;

@@ -15,7 +15,7 @@ layout(set = 0, binding = 6) uniform Window
 {
     // Texels to each side that the filter reads.
     int reach;
-    // Width of a box in texels, 0 for the taps below, less for the nearest texel alone.
+    // Width of a box in texels, 0 for the taps below.
     float extent;
     // Of a Gaussian in the box, 1 / (2 deviation^2).
     float falloff;
@@ -32,8 +32,6 @@ const float SLACK = 1e-4;
 float weightAt(float offset)
 {
     float away = abs(offset);
-    if (extent < 0.0)
-        return away < 0.5 ? 1.0 : 0.0;
     if (extent > 0.0)
         return lvsm_boxWeight(offset, extent) * exp(-falloff * offset * offset);
     int tap = int(away);
