@@ -92,7 +92,7 @@ inline MixtureWindow mixtureWindow(int width, bool half = false)
 namespace detail
 {
 
-// One pass of a window: its steps, and how far it reads in x and in y.
+// One pass of a window: its steps, and how far it reads in x and in y where it reads mixtures.
 struct MixtureStage
 {
     int steps[2];
@@ -105,8 +105,9 @@ inline Rectangle grown(const Rectangle& r, int x, int y)
     return {r.x - x, r.y - y, r.width + 2 * x, r.height + 2 * y};
 }
 
-inline MixturePasses mixtureStages(const MixtureStage* stages, int count, const MixtureWindow& window, bool half,
-                                   const Rectangle& map, const Rectangle& region, int slice)
+inline MixturePasses mixtureStages(const MixtureStage (&stages)[2 * kMaxMixtureRounds], int count,
+                                   const MixtureWindow& window, bool half, const Rectangle& map, const Rectangle& region,
+                                   int slice)
 {
     const int texels = half ? 2 : 1;
     const Rectangle inside = intersection(map, region);
@@ -117,21 +118,17 @@ inline MixturePasses mixtureStages(const MixtureStage* stages, int count, const 
     MixturePasses made{};
     made.count = count;
     made.deviation = window.deviation;
-    int ahead[2] = {0, 0};
-    for (int i = 1; i < count; ++i)
-    {
-        ahead[0] += stages[i].reach[0];
-        ahead[1] += stages[i].reach[1];
-    }
-    const Rectangle whole = grown(coded, ahead[0], ahead[1]);
+    Rectangle writes[2 * kMaxMixtureRounds] = {};
+    writes[count - 1] = coded;
+    for (int i = count - 1; i > 0; --i)
+        writes[i - 1] = grown(writes[i], stages[i].reach[0], stages[i].reach[1]);
+    const Rectangle& whole = writes[0];
     made.between = count > 1 ? Rectangle{0, 0, whole.width, whole.height} : Rectangle{};
     for (int i = 0; i < count; ++i)
     {
         const MixtureStage& stage = stages[i];
         const bool isLast = i + 1 == count;
-        ahead[0] -= i > 0 ? stage.reach[0] : 0;
-        ahead[1] -= i > 0 ? stage.reach[1] : 0;
-        const Rectangle written = grown(coded, ahead[0], ahead[1]);
+        const Rectangle& written = writes[i];
         Pass<MixingBlock>& pass = made.passes[i];
         storeEnds(pass.block.map, map);
         storeEnds(pass.block.region, written);
@@ -167,8 +164,7 @@ inline MixturePasses mixtureStages(const MixtureStage* stages, int count, const 
 inline MixturePasses mixturePasses(int width, bool half, const Rectangle& map, const Rectangle& region, int slice = 0)
 {
     const MixtureWindow window = mixtureWindow(width, half);
-    const int first = window.steps[0] + window.steps[1];
-    detail::MixtureStage stages[kMaxMixtureRounds] = {{{window.steps[0], window.steps[1]}, 1, {first, first}}};
+    detail::MixtureStage stages[2 * kMaxMixtureRounds] = {{{window.steps[0], window.steps[1]}, 1, {0, 0}}};
     int count = 1;
     for (int round = 2; round < window.rounds; ++round)
     {

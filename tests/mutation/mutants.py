@@ -264,7 +264,7 @@ def is_length(file, i):
     """Whether token i is in the length of an array that is declared: a longer one changes nothing."""
     while i > 0 and file.at(i) not in ("[", ";", "{", "}"):
         i -= 1
-    return file.at(i) == "[" and file.tokens[i - 1].kind == "name" and file.at(i - 2) in (*REALS, "int", "short")
+    return file.at(i) == "[" and file.tokens[i - 1].kind == file.tokens[i - 2].kind == "name" and file.at(i - 2) != "return"
 
 
 def in_body(file, begin, end):

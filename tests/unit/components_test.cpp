@@ -197,8 +197,8 @@ TEST_CASE("componentSlope is least squares with a ridge of half of what the comp
     MixtureComponent<double> oblique{};
     for (int i = -2; i <= 2; ++i)
         oblique = mergeComponents(oblique, tap(0.2, 1.0 * i, 1.0 * (i + i % 2), 0.5 + g.x * i + g.y * (i + i % 2)));
-    CHECK(componentSlope(oblique).x == doctest::Approx(g.x).epsilon(0.01));
-    CHECK(componentSlope(oblique).y == doctest::Approx(g.y).epsilon(0.01));
+    CHECK(componentSlope(oblique).x == doctest::Approx(g.x).epsilon(0.01).scale(0));
+    CHECK(componentSlope(oblique).y == doctest::Approx(g.y).epsilon(0.01).scale(0));
 }
 
 TEST_CASE("componentResidual is what is left of a plane's taps around it")
@@ -210,7 +210,7 @@ TEST_CASE("componentResidual is what is left of a plane's taps around it")
         const double y = i / 2 % 2 == 0 ? -1.0 : 1.0;
         c = mergeComponents(c, tap(0.125, x, y, 0.5 + 0.01 * x - 0.02 * y + (i < 4 ? 0.03 : -0.03)));
     }
-    CHECK(componentResidual(c, Vec2<double>(0.01, -0.02)) == doctest::Approx(0.0009).epsilon(1e-12));
+    CHECK(componentResidual(c, Vec2<double>(0.01, -0.02)) == doctest::Approx(0.0009).epsilon(1e-9).scale(0));
 }
 
 TEST_CASE("mergePrice of two lone taps of one place is half their distance, less the deviation that never counts")
@@ -218,7 +218,7 @@ TEST_CASE("mergePrice of two lone taps of one place is half their distance, less
     for (const double distance : {0.0, 1.0e-4, 0.01, 0.5})
     {
         const double price = mergePrice(tap(0.5, 0.0, 0.0, 0.25), tap(0.5, 0.0, 0.0, 0.25 + distance));
-        CHECK(price == doctest::Approx(std::sqrt(0.25 * distance * distance + 1.0e-8) - 1.0e-4));
+        CHECK(std::abs(price - (std::sqrt(0.25 * distance * distance + 1.0e-8) - 1.0e-4)) < 1.0e-12);
     }
     // Shares of 1/4 and 3/4 leave a variance of 3/16 of the distance squared.
     CHECK(mergePrice(tap(0.25, 0.0, 0.0, 0.2), tap(0.75, 0.0, 0.0, 0.6)) ==
@@ -287,7 +287,7 @@ TEST_CASE("simplifyMixture makes one plane of a plane's parts, and leaves what a
     CHECK(mixture.components[1].weight == 0.0);
     CHECK(mixture.components[2].weight == 0.0);
     CHECK(mixture.components[3].weight == 0.0);
-    CHECK(componentSlope(mixture.components[0]).x == doctest::Approx(g.x).epsilon(0.001));
+    CHECK(componentSlope(mixture.components[0]).x == doctest::Approx(g.x).epsilon(0.001).scale(0));
 
     // Halves of the window: half of the distance is the price, less 1e-4.
     const auto left = [](double distance)
@@ -559,7 +559,7 @@ TEST_CASE("surfaces are one where that costs less than 1e-4, all or a pair of th
     {
         const double apart = 2.0 * std::sqrt((price + 1.0e-4) * (price + 1.0e-4) - 1.0e-8);
         Mixture<double> whole{{tap(0.5, 0.0, 0.0, 0.25), tap(0.5, 0.0, 0.0, 0.25 + apart), {}, {}}};
-        CHECK(mergePrice(whole.components[0], whole.components[1]) == doctest::Approx(price).epsilon(1e-6));
+        CHECK(mergePrice(whole.components[0], whole.components[1]) == doctest::Approx(price).epsilon(1e-6).scale(0));
         simplifyMixture(whole, 4);
         CHECK((whole.components[0].weight == 1.0) == (price < 1.0e-4));
 
@@ -567,7 +567,7 @@ TEST_CASE("surfaces are one where that costs less than 1e-4, all or a pair of th
         const double part = 2.0 * std::sqrt((2.0 * price + 1.0e-4) * (2.0 * price + 1.0e-4) - 1.0e-8);
         Mixture<double> pair{
             {tap(0.25, 0.0, 0.0, 0.25), tap(0.25, 0.0, 0.0, 0.25 + part), tap(0.5, 0.0, 0.0, 0.75), {}}};
-        CHECK(mergePrice(pair.components[0], pair.components[1]) == doctest::Approx(price).epsilon(1e-6));
+        CHECK(mergePrice(pair.components[0], pair.components[1]) == doctest::Approx(price).epsilon(1e-6).scale(0));
         simplifyMixture(pair, 4);
         CHECK((pair.components[0].weight == 0.5) == (price < 1.0e-4));
     }

@@ -188,12 +188,12 @@ TEST_CASE("a coded deviation is the nearest of its octave's parts, and at least 
         for (int part = 0; part < 8; ++part)
         {
             const double d = start * (1.0 + part / 8.0);
-            CHECK(coded2(d) == doctest::Approx(d));
-            CHECK(coded2(d + start * 0.06) == doctest::Approx(d));
+            CHECK(coded2(d) == doctest::Approx(d).scale(0));
+            CHECK(coded2(d + start * 0.06) == doctest::Approx(d).scale(0));
         }
-        CHECK(coded4(start) == doctest::Approx(start));
-        CHECK(coded4(1.49 * start) == doctest::Approx(start));
-        CHECK(coded4(0.76 * start) == doctest::Approx(start));
+        CHECK(coded4(start) == doctest::Approx(start).scale(0));
+        CHECK(coded4(1.49 * start) == doctest::Approx(start).scale(0));
+        CHECK(coded4(0.76 * start) == doctest::Approx(start).scale(0));
     }
     CHECK(coded2(0.0) == least);
     CHECK(coded4(0.0) == least);

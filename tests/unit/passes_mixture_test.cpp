@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace
@@ -29,7 +32,274 @@ std::vector<double> weightsOf(const lvsm::MixtureWindow& window)
     return weights;
 }
 
+// Depths, in whole numbers so that sums of them are exact; none off the map.
+double depthAt(const lvsm::Rectangle& map, int x, int y)
+{
+    const bool isOn = x >= map.x && y >= map.y && x < map.x + map.width && y < map.y + map.height;
+    return isOn ? 1 + (31 * x + 57 * y + x * y) % 89 : 0;
+}
+
+// What a texel of the codes has of the depths before any round.
+double depthOfCode(const lvsm::Rectangle& map, int texels, int x, int y)
+{
+    double sum = 0;
+    for (int i = 0; i < texels * texels; ++i)
+        sum += depthAt(map, texels * x + i % texels, texels * y + i / texels);
+    return sum / (texels * texels);
+}
+
+// A texture in which each texel is written once and read only afterwards.
+class Texture
+{
+public:
+    Texture(int width, int height)
+        : m_width(width), m_values(static_cast<std::size_t>(width * height), std::numeric_limits<double>::quiet_NaN())
+    {
+    }
+
+    double& at(int x, int y)
+    {
+        REQUIRE(x >= 0);
+        REQUIRE(x < m_width);
+        return m_values.at(static_cast<std::size_t>(y * m_width + x));
+    }
+
+    void write(int x, int y, double value)
+    {
+        REQUIRE(std::isnan(at(x, y)));
+        at(x, y) = value;
+        ++m_written;
+    }
+
+    double read(int x, int y)
+    {
+        REQUIRE(!std::isnan(at(x, y)));
+        return at(x, y);
+    }
+
+    int written() const { return m_written; }
+
+private:
+    int m_width;
+    int m_written = 0;
+    std::vector<double> m_values;
+};
+
+using Pass = lvsm::Pass<lvsm::MixingBlock>;
+using Steps = std::vector<std::pair<int, int>>;
+
+// Three texels a step apart, of what all steps but the last give.
+template <typename Read>
+double mixed(const Read& read, const Steps& steps, std::size_t count, int x, int y)
+{
+    if (count == 0)
+        return read(x, y);
+    const auto [dx, dy] = steps[count - 1];
+    return 0.5 * mixed(read, steps, count - 1, x, y) + 0.25 * mixed(read, steps, count - 1, x - dx, y - dy) +
+           0.25 * mixed(read, steps, count - 1, x + dx, y + dy);
+}
+
+// The texels that passes/mixture.comp writes, and the steps of its rounds.
+struct Dispatch
+{
+    template <typename Write>
+    static void run(const Pass& pass, const Write& write)
+    {
+        const int spacing = pass.block.spacing;
+        for (int i = 0; i < pass.groups.x * pass.groups.y * pass.groups.z * 64; ++i)
+        {
+            const int group = i / 64, thread = i % 64;
+            const int gx = group % pass.groups.x, gy = group / pass.groups.x % pass.groups.y;
+            const int x = pass.block.region[0] + gx / spacing * 8 * spacing + gx % spacing + spacing * (thread % 8);
+            const int y = pass.block.region[1] + gy / spacing * 8 * spacing + gy % spacing + spacing * (thread / 8);
+            if (x < pass.block.region[2] && y < pass.block.region[3])
+                write(x, y);
+        }
+    }
+
+    static Steps steps(const lvsm::MixingBlock& block)
+    {
+        Steps steps;
+        for (const int step : block.steps)
+        {
+            if (step > 0)
+                steps.insert(steps.end(), {{step * block.spacing, 0}, {0, step * block.spacing}});
+        }
+        return steps;
+    }
+};
+
+// Those of passes/mixture.frag.
+struct Draw
+{
+    template <typename Write>
+    static void run(const Pass& pass, const Write& write)
+    {
+        for (int y = pass.region.y; y < pass.region.y + pass.region.height; ++y)
+        {
+            for (int x = pass.region.x; x < pass.region.x + pass.region.width; ++x)
+                write(x + pass.block.origins[2], y + pass.block.origins[3]);
+        }
+    }
+
+    static Steps steps(const lvsm::MixingBlock& block)
+    {
+        CHECK(block.spacing == 1);
+        return {{block.steps[0], block.steps[1]}};
+    }
+};
+
+// Runs the passes as their shader would, each reading what the one before has written.
+template <typename Shader>
+Texture codesOf(const lvsm::MixturePasses& made, const lvsm::Rectangle& map, int texels)
+{
+    Texture source(0, 0);
+    for (int i = 0; i < made.count; ++i)
+    {
+        const Pass& pass = made.passes[i];
+        const auto& block = pass.block;
+        const bool isLast = i + 1 == made.count;
+        CHECK(block.map[0] == map.x);
+        CHECK(block.map[1] == map.y);
+        CHECK(block.map[2] == map.x + map.width);
+        CHECK(block.map[3] == map.y + map.height);
+        CHECK(block.texels == texels);
+        const auto read = [&](int x, int y)
+        {
+            return i == 0 ? depthOfCode(map, texels, x, y) : source.read(x - block.origins[0], y - block.origins[1]);
+        };
+        const Steps steps = Shader::steps(block);
+        Texture target(isLast ? 80 : made.between.width, isLast ? 80 : made.between.height);
+        Shader::run(
+            pass, [&](int x, int y)
+            { target.write(x - block.origins[2], y - block.origins[3], mixed(read, steps, steps.size(), x, y)); });
+        // A pass with groups is a pass over a region.
+        CHECK(target.written() == pass.region.width * pass.region.height);
+        source = target;
+    }
+    return source;
+}
+
+template <typename Shader>
+void checkWindow(const lvsm::MixturePasses& made, int width, bool half, const lvsm::Rectangle& map,
+                 const lvsm::Rectangle& region)
+{
+    CAPTURE(width);
+    CAPTURE(half);
+    const int texels = half ? 2 : 1;
+    Texture codes = codesOf<Shader>(made, map, texels);
+    const auto weights = weightsOf(lvsm::mixtureWindow(width, half));
+    const int reach = width / 2;
+    int count = 0;
+    bool agree = true;
+    for (int y = 0; y < 80; ++y)
+    {
+        for (int x = 0; x < 80; ++x)
+        {
+            // Whether one of the texel's depths is on the map and in the region.
+            bool isAsked = false;
+            for (int i = 0; i < texels * texels; ++i)
+            {
+                const int column = texels * x + i % texels, row = texels * y + i / texels;
+                isAsked = isAsked || (depthAt(map, column, row) != 0 && depthAt(region, column, row) != 0);
+            }
+            if (!isAsked)
+                continue;
+            ++count;
+            double sum = 0;
+            for (int i = 0; i < width * width; ++i)
+                sum += weights[static_cast<std::size_t>(i % width)] * weights[static_cast<std::size_t>(i / width)] *
+                       depthOfCode(map, texels, x + i % width - reach, y + i / width - reach);
+            agree = agree && codes.read(x, y) == sum;
+        }
+    }
+    CHECK(agree);
+    CHECK(codes.written() == count);
+}
+
 } // namespace
+
+TEST_CASE("passes and draws of mixtures, run one after the other, sum up the window around each texel of a region")
+{
+    const lvsm::Rectangle map{10, 20, 60, 46};
+    for (const lvsm::Rectangle& region :
+         {lvsm::Rectangle{31, 21, 11, 5}, {59, 12, 40, 15}, {36, 45, 1, 1}, {4, 61, 9, 30}})
+    {
+        for (const int width : {1, 3, 5, 7, 9, 15, 17, 25})
+        {
+            for (const bool half : {false, true})
+            {
+                checkWindow<Dispatch>(lvsm::mixturePasses(width, half, map, region), width, half, map, region);
+                checkWindow<Draw>(lvsm::mixtureDraws(width, half, map, region), width, half, map, region);
+            }
+        }
+    }
+}
+
+TEST_CASE("as many groups as cover a region with texels that are the spacing apart, and no more")
+{
+    const lvsm::Rectangle map{0, 0, 200, 200};
+    for (int extent = 1; extent <= 90; ++extent)
+    {
+        for (const int width : {3, 7, 9, 15, 17, 25})
+        {
+            const auto made = lvsm::mixturePasses(width, false, map, {40, 50, extent, 91 - extent});
+            for (int i = 0; i < made.count; ++i)
+            {
+                const Pass& pass = made.passes[i];
+                const int spacing = pass.block.spacing;
+                CHECK(pass.groups.x % spacing == 0);
+                CHECK(pass.groups.y % spacing == 0);
+                CHECK(pass.groups.z == 1);
+                CHECK(8 * pass.groups.x >= pass.region.width);
+                CHECK(8 * pass.groups.y >= pass.region.height);
+                CHECK(8 * (pass.groups.x - spacing) < pass.region.width);
+                CHECK(8 * (pass.groups.y - spacing) < pass.region.height);
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "mixtures between passes take what the first writes, in slices from 0 on, and nothing where there is one pass")
+{
+    const lvsm::Rectangle map{10, 20, 60, 46};
+    const lvsm::Rectangle region{31, 21, 11, 5};
+    for (int width = 1; width <= lvsm::kMaxMixtureWidth; width += 2)
+    {
+        for (const bool isDrawn : {false, true})
+        {
+            const auto made = isDrawn ? lvsm::mixtureDraws(width, false, map, region, 3)
+                                      : lvsm::mixturePasses(width, false, map, region, 3);
+            const lvsm::Rectangle& first = made.passes[0].region;
+            CHECK(made.between.x == 0);
+            CHECK(made.between.y == 0);
+            CHECK(made.between.width == (made.count > 1 ? first.width : 0));
+            CHECK(made.between.height == (made.count > 1 ? first.height : 0));
+            // Depths are read where they are.
+            CHECK(made.passes[0].block.origins[0] == 0);
+            CHECK(made.passes[0].block.origins[1] == 0);
+            CHECK(made.deviation == lvsm::mixtureWindow(width).deviation);
+            // As much is made as the next pass reads, and no more: the reach of its one round.
+            for (int i = 1; i < made.count; ++i)
+            {
+                const auto& block = made.passes[i].block;
+                const auto& before = made.passes[i - 1].block;
+                const int across = block.steps[0] * block.spacing;
+                const int down = isDrawn ? block.steps[1] : across;
+                CHECK(before.region[0] == block.region[0] - across);
+                CHECK(before.region[1] == block.region[1] - down);
+                CHECK(before.region[2] == block.region[2] + across);
+                CHECK(before.region[3] == block.region[3] + down);
+            }
+            for (int i = 0; i < made.count; ++i)
+            {
+                CHECK(made.passes[i].block.slice == (i + 1 == made.count ? 3 : 0));
+                CHECK(made.passes[i].block.deviation == made.deviation);
+            }
+        }
+    }
+}
 
 TEST_CASE("a window of mixtures has as many texels as asked, falls from the middle outwards, and tells its deviation")
 {
@@ -66,8 +336,10 @@ TEST_CASE("windows that double are those of mixtureDeviation, and widths out of 
             CHECK(window.steps[i] == 1 << i);
     }
     CHECK(lvsm::mixtureWindow(8).deviation == lvsm::mixtureWindow(7).deviation);
-    CHECK(lvsm::mixtureWindow(-3).rounds == 0);
-    CHECK(lvsm::mixtureWindow(99).deviation == lvsm::mixtureWindow(25).deviation);
+    for (const int less : {1, 0, -3, std::numeric_limits<int>::min()})
+        CHECK(lvsm::mixtureWindow(less).rounds == 0);
+    for (const int more : {26, 27, 99, std::numeric_limits<int>::max()})
+        CHECK(weightsOf(lvsm::mixtureWindow(more)).size() == 25);
 }
 
 TEST_CASE("a dispatch of mixtures fits in the shared memory that Vulkan promises")
