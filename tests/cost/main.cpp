@@ -35,17 +35,19 @@ struct Options
     bool record = false;
 };
 
-// A kernel's cost, and that of the kernel with the same loads.
+// A kernel's cost, and that of the one beside it.
 struct Cost
 {
     std::string target;
-    std::string name;
+    const Kernel* kernel;
     Statistics whole;
-    Statistics loads;
+    Statistics beside;
 
     Statistics net() const
     {
-        return {whole.instructions - loads.instructions, whole.inverseThroughput - loads.inverseThroughput};
+        const Statistics loads = kernel->kind == "function" ? beside : Statistics{0, 0, 0};
+        return {whole.instructions - loads.instructions, whole.inverseThroughput - loads.inverseThroughput,
+                whole.registers};
     }
 };
 
@@ -57,9 +59,9 @@ struct Cost
 
 struct Compiled
 {
-    std::string name;
+    Kernel kernel;
     std::vector<std::uint32_t> whole;
-    std::vector<std::uint32_t> loads;
+    std::vector<std::uint32_t> beside;
 };
 
 std::vector<std::uint32_t> compile(const std::string& name, const std::string& text, const Options& options)
@@ -78,23 +80,70 @@ std::vector<std::uint32_t> compile(const std::string& name, const std::string& t
 Statistics statistics(const Radv& radv, const std::string& name, const std::vector<std::uint32_t>& spirv)
 {
     if (spirv.empty())
-        return {0, 0};
+        return {0, 0, 0};
     const auto result = radv.compile(spirv);
     if (!result)
         fail(name + ": " + result.error());
     return *result;
 }
 
+// What a map costs for each texel of the shadow map: its passes added up.
+json mapRow(const cost::Map& map, const std::string& target, const json& rows)
+{
+    const std::string resolution = map.resolution < 1.0 ? " half" : "";
+    json row = {{"kind", "map"},
+                {"target", target},
+                {"name", "map " + map.name + ' ' + std::to_string(map.width) + resolution},
+                {"map", map.name},
+                {"width", map.width},
+                {"resolution", map.resolution},
+                {"bits", map.bits},
+                {"slice", map.slice}};
+    const char* const figures[] = {"instructions", "inverse_throughput", "read_bytes", "written_bytes"};
+    for (const char* figure : figures)
+        row[figure] = 0.0;
+    for (const auto& [name, times] : map.passes)
+    {
+        const auto pass =
+            std::find_if(rows.begin(), rows.end(),
+                         [&, name = name](const json& r) { return r.at("target") == target && r.at("name") == name; });
+        if (pass == rows.end())
+            fail("there is no pass " + name + ", which makes " + map.name);
+        for (const char* figure : figures)
+            row[figure] = row[figure].get<double>() + times * pass->at(figure).get<double>();
+    }
+    return row;
+}
+
 json rowsOf(const std::vector<Cost>& costs)
 {
     json rows = json::array();
     for (const Cost& cost : costs)
-        rows.push_back({{"target", cost.target},
-                        {"name", cost.name},
-                        {"instructions", cost.net().instructions},
-                        {"inverse_throughput", cost.net().inverseThroughput},
-                        {"load_instructions", cost.loads.instructions},
-                        {"load_inverse_throughput", cost.loads.inverseThroughput}});
+    {
+        const Kernel& kernel = *cost.kernel;
+        const Statistics net = cost.net();
+        json row = {{"kind", kernel.kind},
+                    {"target", cost.target},
+                    {"name", kernel.name},
+                    {"instructions", net.instructions},
+                    {"inverse_throughput", net.inverseThroughput},
+                    {"registers", net.registers}};
+        if (kernel.kind == "estimate")
+            row.update({{"map", kernel.map}, {"decisions", kernel.decisions}});
+        if (kernel.kind == "estimate" && !kernel.beside.empty())
+            row["wrapper_inverse_throughput"] = cost.beside.inverseThroughput;
+        if (kernel.kind == "pass")
+            row.update({{"read_bytes", kernel.readBytes}, {"written_bytes", kernel.writtenBytes}});
+        rows.push_back(row);
+    }
+    std::set<std::string> targets;
+    for (const Cost& cost : costs)
+        targets.insert(cost.target);
+    for (const std::string& target : targets)
+    {
+        for (const cost::Map& map : cost::maps())
+            rows.push_back(mapRow(map, target, rows));
+    }
     return rows;
 }
 
@@ -126,8 +175,8 @@ void record(const std::string& version, const std::vector<Cost>& costs, const Op
                  ": nothing is recorded. Record with the Mesa of packages.txt's Debian; to change over to this one, "
                  "remove the file first, and say so in docs/cost.md.");
         std::set<std::string> names;
-        for (const Cost& cost : costs)
-            names.insert(cost.name);
+        for (const json& row : rows)
+            names.insert(row.at("name").get<std::string>());
         const auto& targets = options.targets;
         for (const json& row : recorded.at("rows"))
         {
@@ -170,12 +219,12 @@ int compareWithRecorded(const json& recorded, const std::vector<Cost>& costs)
         }
         for (const char* figure : {"instructions", "inverse_throughput"})
         {
-            const int was = found->second.at(figure);
-            const int is = row.at(figure);
+            const double was = found->second.at(figure);
+            const double is = row.at(figure);
             const bool grown = is > was && is > was * kAllowedGrowth;
             failures += grown ? 1 : 0;
             if (is != was)
-                std::printf("%s %s on %s: %d %s, recorded %d\n", grown ? "FAIL" : "note", name.c_str(), target.c_str(),
+                std::printf("%s %s on %s: %g %s, recorded %g\n", grown ? "FAIL" : "note", name.c_str(), target.c_str(),
                             is, figure, was);
         }
         before.erase(found);
@@ -198,7 +247,7 @@ void printTable(const std::vector<Cost>& costs, const Options& options)
     const std::size_t count = costs.size() / options.targets.size();
     for (std::size_t i = 0; i < count; ++i)
     {
-        std::printf("%-28s", costs[i].name.c_str());
+        std::printf("%-28s", costs[i].kernel->name.c_str());
         for (std::size_t t = 0; t < options.targets.size(); ++t)
         {
             const Statistics net = costs[t * count + i].net();
@@ -230,11 +279,11 @@ int measure(const Options& options)
 {
     std::vector<Compiled> kernels;
     for (const std::vector<Kernel>& list :
-         {cost::estimateKernels(), cost::passKernels(options.glslFolder), cost::functionKernels()})
+         {cost::estimateKernels(options.glslFolder), cost::passKernels(options.glslFolder), cost::functionKernels()})
     {
         for (const Kernel& kernel : list)
-            kernels.push_back({kernel.name, compile(kernel.name, kernel.text, options),
-                               compile(kernel.name + " (loads)", kernel.loads, options)});
+            kernels.push_back({kernel, compile(kernel.name, kernel.text, options),
+                               compile(kernel.name + " (beside)", kernel.beside, options)});
     }
 
     std::vector<Cost> costs;
@@ -249,8 +298,8 @@ int measure(const Options& options)
         }
         version = radv->version();
         for (const Compiled& kernel : kernels)
-            costs.push_back({target, kernel.name, statistics(*radv, kernel.name, kernel.whole),
-                             statistics(*radv, kernel.name + " (loads)", kernel.loads)});
+            costs.push_back({target, &kernel.kernel, statistics(*radv, kernel.kernel.name, kernel.whole),
+                             statistics(*radv, kernel.kernel.name + " (beside)", kernel.beside)});
     }
     printTable(costs, options);
     if (!options.report.empty())

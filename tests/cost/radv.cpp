@@ -57,8 +57,8 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical)
 vk::raii::DescriptorSetLayout makeSetLayout(const vk::raii::Device& device)
 {
     using Type = vk::DescriptorType;
-    const std::array types{Type::eStorageBuffer, Type::eStorageBuffer, Type::eCombinedImageSampler, Type::eStorageImage,
-                           Type::eUniformBuffer};
+    const std::array types{Type::eStorageBuffer, Type::eStorageBuffer, Type::eCombinedImageSampler,
+                           Type::eStorageImage,  Type::eUniformBuffer, Type::eUniformBuffer};
     std::array<vk::DescriptorSetLayoutBinding, types.size()> bindings;
     for (std::uint32_t i = 0; i < bindings.size(); ++i)
         bindings[i] = {i, types[i], 1, vk::ShaderStageFlagBits::eCompute};
@@ -118,7 +118,7 @@ try
     const vk::raii::Pipeline pipeline(
         m_state->device, nullptr,
         vk::ComputePipelineCreateInfo(vk::PipelineCreateFlagBits::eCaptureStatisticsKHR, stage, *m_state->layout));
-    Statistics statistics{-1, -1};
+    Statistics statistics{-1, -1, -1};
     for (const auto& statistic : m_state->device.getPipelineExecutableStatisticsKHR({*pipeline, 0}))
     {
         const std::string name = statistic.name.data();
@@ -126,9 +126,11 @@ try
             statistics.instructions = static_cast<int>(statistic.value.u64);
         if (name == "Inverse Throughput")
             statistics.inverseThroughput = static_cast<int>(statistic.value.u64);
+        if (name == "VGPRs")
+            statistics.registers = static_cast<int>(statistic.value.u64);
     }
-    if (statistics.instructions < 0 || statistics.inverseThroughput < 0)
-        return Failure{"this RADV does not tell instructions and inverse throughput"};
+    if (statistics.instructions < 0 || statistics.inverseThroughput < 0 || statistics.registers < 0)
+        return Failure{"this RADV does not tell instructions, inverse throughput and registers"};
     return statistics;
 }
 catch (const std::exception& error)

@@ -17,6 +17,8 @@ struct Statistics
     int instructions;
     // The compiler's estimate of the cycles that the busiest unit needs for one wave.
     int inverseThroughput;
+    // Vector registers of a wave.
+    int registers;
 };
 
 class Radv
@@ -31,8 +33,8 @@ public:
     // Version of the driver, and so of the compiler: its figures compare only with its own.
     std::string version() const;
 
-    // The shader may use, at bindings 0 to 4 of set 0, two storage buffers, a texture with its sampler, a storage image
-    // and a uniform buffer, and 64 bytes of push constants.
+    // The shader may use, at bindings 0 to 5 of set 0, two storage buffers, a texture with its sampler, a storage image
+    // and two uniform buffers, and 64 bytes of push constants.
     lvsm::support::Result<Statistics> compile(const std::vector<std::uint32_t>& spirv) const;
 
 private:

@@ -6,35 +6,53 @@ import functools
 import json
 import math
 import pathlib
-import re
 
 import recorded
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COSTS = ROOT / "tests/cost/recorded.json"
-ESTIMATES = ROOT / "tests/cost/estimates.def"
 TARGET = "GFX1100"
 BUDGETS = recorded.BUDGETS
 MEAN = recorded.MEAN
 
 
-def add_costs(techniques):
-    """The cost of a technique is that of its estimate in tests/cost/estimates.def, times how often it is made."""
-    rows = json.loads(COSTS.read_text())["rows"]
-    costs = {row["name"]: row for row in rows if row["target"] == TARGET}
-    fetches = dict(re.findall(r"^ESTIMATE\(([^,]+), (\d+),", ESTIMATES.read_text(), re.MULTILINE))
+def map_of(technique, estimate, rows, width):
+    """Units and bytes for each texel of the shadow map, or None twice: of the map that an estimate reads."""
+    if estimate["map"] == "depths":
+        return 0, 0
+    half = " half" if technique["resolution"] < 1 else ""
+    row = rows.get(f"map {estimate['map']} {width}{half}")
+    if row is None:
+        return None, None
+    stored = technique["texel_bits"] / technique["resolution"] ** 2
+    share = stored / row["bits"]
+    return (row["inverse_throughput"] * (share if row["slice"] else 1),
+            (row["read_bytes"] + row["written_bytes"]) * share)
+
+
+@functools.cache
+def cost_rows():
+    return {row["name"]: row for row in json.loads(COSTS.read_text())["rows"] if row["target"] == TARGET}
+
+
+def add_costs(techniques, width="7"):
+    """What a technique costs is what its estimate in tests/cost/estimates.def does, with its taps and decisions."""
+    rows = cost_rows()
     for technique in techniques:
-        technique["cost"] = None
-        estimate, decisions = technique["estimate"], technique["decisions"]
+        technique |= dict.fromkeys(("cost", "map_cost", "map_bytes"))
+        estimate, taps = technique["estimate"], technique["taps"]
         if estimate == "":
             continue
-        if estimate not in costs:
+        if estimate not in rows:
             raise SystemExit(f"{COSTS} has no estimate '{estimate}', which '{technique['name']}' is judged by")
-        row = costs[estimate]
-        technique["instructions"] = round(decisions * row["instructions"])
-        technique["arithmetic"] = round(decisions * row["inverse_throughput"])
-        technique["cost"] = round(decisions * (row["inverse_throughput"] + row["load_inverse_throughput"]))
-        technique["fetches"] = round(decisions * int(fetches[estimate]))
+        technique["map_cost"], technique["map_bytes"] = map_of(technique, rows[estimate], rows, width)
+        row = rows.get(estimate + (f" {taps} taps" if taps > 1 else ""))
+        if row is None:
+            continue
+        times = technique["decisions"] / row["decisions"]
+        technique["instructions"] = round(times * row["instructions"])
+        technique["registers"] = row["registers"]
+        technique["cost"] = round(times * row["inverse_throughput"])
 
 
 def dominated(technique, others, axes):
@@ -81,18 +99,18 @@ def techniques(run="7"):
         errors = {column: round(recorded.rmse(technique["name"], column, run), 4) for column in recorded.COLUMNS}
         found.append({**technique, "errors": errors})
     found.sort(key=lambda t: (t["bits"], error_of(t), t["name"]))
-    add_costs(found)
+    add_costs(found, run)
     mark_fronts(found)
     return found
 
 
 def full_table():
-    lines = [["technique", "whose", "bits", *recorded.COLUMNS, "instr.", "inv. thr.", "with loads", "fetches", "front"]]
+    lines = [["technique", "whose", "bits", *recorded.COLUMNS, "units", "instr.", "registers", "map: units", "map: bytes", "front"]]
     for t in techniques():
         if (t["taps"], t["resolution"]) != (1, 1) and not t["fronts"]:
             continue
-        cost = ["-"] * 4 if t["cost"] is None else [
-            str(t[key]) for key in ("instructions", "arithmetic", "cost", "fetches")]
+        cost = ["-" if t.get(key) is None else f"{t[key]:.0f}"
+                for key in ("cost", "instructions", "registers", "map_cost", "map_bytes")]
         name = f"**{t['name']}**" if t["fronts"] else t["name"]
         lines.append([name, "peer" if t["peer"] else "ours", str(t["bits"]),
                       *(f"{t['errors'][column]:.4f}" for column in recorded.COLUMNS), *cost, ", ".join(t["fronts"])])
@@ -150,6 +168,25 @@ def wide_table():
     return lines
 
 
+# One of each kind that somebody would take.
+IN_TOTAL = ["VSM rg16", "EVSM4 rgba32f 42/10", "MSM4 unorm16", "MSM4 rgba32f", "trigonometric unorm16",
+            "MSM4 quantised 32-bit", "LVSM-2 unorm8 bracketed, uniform", "LVSM-8 unorm8 bracketed, uniform",
+            "LVSM-8 unorm8 plane, optimal", "MSM4 rgba32f, half", "LVSM-8 unorm8 plane, optimal, half", "PCF, 3 x 3",
+            "PCF, whole window"]
+
+
+def total_table():
+    """For one and for four lit pixels to a texel, and from how many on PCF over the whole window takes more."""
+    found = {t["name"]: t for t in techniques()}
+    pcf = found["PCF, whole window"]["cost"]
+    lines = [["technique", "error", "units a pixel", "units a texel", "bytes a texel", "P = T", "P = 4 T", "P / T"]]
+    for t in (found[name] for name in IN_TOTAL):
+        even = f"{t['map_cost'] / (pcf - t['cost']):.2f}" if t["map_cost"] and t["cost"] < pcf else "-"
+        lines.append([t["name"], f"{error_of(t):.4f}", str(t["cost"]), f"{t['map_cost']:.0f}", f"{t['map_bytes']:.0f}",
+                      f"{t['cost'] + t['map_cost']:.0f}", f"{4 * t['cost'] + t['map_cost']:.0f}", even])
+    return lines
+
+
 def cost_table():
     """A row for each cost at which some number of bits gets something better."""
     costed = [t for t in techniques() if t["cost"] is not None]
@@ -204,7 +241,7 @@ def axes():
     for error in (0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2, 0.3):
         y = place_y(error)
         parts += f'<line x1="{LEFT}" x2="{RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>\n' + text(LEFT - 8, y + 4, error, "end")
-    parts += text((LEFT + RIGHT) / 2, BOTTOM + 42, f"inverse throughput on {TARGET}, loads included", "middle")
+    parts += text((LEFT + RIGHT) / 2, BOTTOM + 42, f"inverse throughput on {TARGET}, samples included", "middle")
     middle = (TOP + BOTTOM) / 2
     return parts + text(18, middle, "RMSE, mean of the mesh scenes", "middle", f' transform="rotate(-90 18 {middle})"')
 

@@ -49,7 +49,7 @@ def main():
         assert {row["scene"] for row in rows} == {"fence", "street-oblique"}
         for row in rows:
             for key in ("technique", "peer", "bits", "scene", "seed", "rmse", "bleed", "dark", "p99", "width",
-                        "footprint", "stretch", "taps", "resolution", "texel_bits", "calm", "cost", "window", "chosen_rmse"):
+                        "footprint", "stretch", "taps", "resolution", "texel_bits", "calm", "cost", "map_cost", "map_bytes", "window", "chosen_rmse"):
                 assert key in row, key
             assert row["seed"] == 4 and 0 <= row["rmse"] <= 1
         assert sum(name.endswith(".png") for name in os.listdir(folder)) == len(rows)

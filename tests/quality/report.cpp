@@ -26,6 +26,7 @@ Json row(const Measurement& m, unsigned seed, const Costs& costs)
     for (std::size_t i = 0; i < kGroupNames.size(); ++i)
         groups[kGroupNames[i]] = errors(m.groups[i]);
     const auto cost = costOf(m, costs);
+    const auto map = mapCostOf(m, costs);
     return {{"technique", m.technique},
             {"peer", m.peer},
             {"bits", m.bits},
@@ -46,6 +47,8 @@ Json row(const Measurement& m, unsigned seed, const Costs& costs)
             {"filtered", m.reading == Reading::Bilinear},
             {"calm", m.footprint.minified() ? Json() : Json(m.calm)},
             {"cost", cost ? Json(*cost) : Json()},
+            {"map_cost", map ? Json(map->units) : Json()},
+            {"map_bytes", map ? Json(map->bytes) : Json()},
             {"estimate", m.estimateName()},
             {"decisions", m.decisions()},
             {"shift", m.setting.shift},
@@ -69,19 +72,43 @@ Costs readCosts(const std::string& path)
         return costs;
     for (const Json& row : recorded.at("rows"))
     {
-        if (row.at("target") == kTarget)
-            costs[row.at("name")] =
-                row.at("inverse_throughput").get<double>() + row.at("load_inverse_throughput").get<double>();
+        if (row.at("target") != kTarget)
+            continue;
+        if (row.at("kind") == "estimate")
+            costs.estimates[row.at("name")] = {row.at("inverse_throughput"), row.at("decisions"), row.at("map")};
+        if (row.at("kind") == "map")
+            costs.maps[row.at("name")] = {row.at("inverse_throughput"),
+                                          row.at("read_bytes").get<double>() + row.at("written_bytes").get<double>(),
+                                          row.at("bits"), row.at("slice")};
     }
     return costs;
 }
 
 std::optional<double> costOf(const Measurement& m, const Costs& costs)
 {
-    const auto found = costs.find(m.estimateName());
-    if (found == costs.end())
+    const std::string taps = m.taps() > 1 ? ' ' + std::to_string(m.taps()) + " taps" : "";
+    const auto found = costs.estimates.find(m.estimateName() + taps);
+    if (found == costs.estimates.end())
         return std::nullopt;
-    return found->second * m.decisions();
+    return found->second.units * m.decisions() / found->second.decisions;
+}
+
+std::optional<Costs::Map> mapCostOf(const Measurement& m, const Costs& costs)
+{
+    const auto estimate = costs.estimates.find(m.estimateName());
+    if (estimate == costs.estimates.end())
+        return std::nullopt;
+    if (estimate->second.map == "depths")
+        return Costs::Map{0.0, 0.0, m.bits, false};
+    const auto found = costs.maps.find("map " + estimate->second.map + ' ' + std::to_string(m.window.width) +
+                                       (m.variant.half ? " half" : ""));
+    if (found == costs.maps.end())
+        return std::nullopt;
+    Costs::Map map = found->second;
+    const double share = static_cast<double>(m.bits) / map.bits;
+    map.units *= map.slice ? share : 1.0;
+    map.bytes *= share;
+    return map;
 }
 
 std::optional<std::string> writeJson(const Run& run, const std::string& path)

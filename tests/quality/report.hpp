@@ -12,14 +12,36 @@
 namespace lvsm::quality
 {
 
-/// Inverse throughput of the estimates of tests/cost, loads included, by name.
-using Costs = std::map<std::string, double>;
+/// What lvsm_cost recorded for GFX1100, in units of inverse throughput.
+struct Costs
+{
+    /// A row of estimates.def, or of so many taps of it, samples included; and the map that it reads.
+    struct Estimate
+    {
+        double units;
+        double decisions;
+        std::string map;
+    };
+    /// A map: units and bytes read and written for each texel of the shadow map, of slices for each of them.
+    struct Map
+    {
+        double units;
+        double bytes;
+        int bits;
+        bool slice;
+    };
+    std::map<std::string, Estimate> estimates;
+    std::map<std::string, Map> maps;
+};
 
-/// Those that a file records for GFX1100; none where it cannot be read.
+/// Those that a file records; none where it cannot be read.
 Costs readCosts(const std::string& path);
 
-/// What a measured estimate costs: one tap's times the taps, and for codes times four decisions. Nothing if unknown.
+/// What a measured estimate costs a lit pixel, all its taps and decisions. Nothing if unknown.
 std::optional<double> costOf(const Measurement& measurement, const Costs& costs);
+
+/// What the map that it reads costs a texel of the shadow map. Nothing if unknown.
+std::optional<Costs::Map> mapCostOf(const Measurement& measurement, const Costs& costs);
 
 /// What was measured, and with what.
 struct Run

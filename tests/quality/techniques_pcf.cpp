@@ -149,8 +149,9 @@ std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
 std::vector<Technique> pcfPeers()
 {
     return {depths("PCF, whole window", true, "PCF whole window", whole(true)),
-            depths("PCF, 16 turned samples", true, "", [](const Map& map) { return std::make_unique<Disc>(map); }),
-            depths("PCF, 3 x 3", true, "", fixed<Box>(3)), depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
+            depths("PCF, 16 turned samples", true, "PCF 16 turned samples",
+                   [](const Map& map) { return std::make_unique<Disc>(map); }),
+            depths("PCF, 3 x 3", true, "PCF 3x3", fixed<Box>(3)), depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
 }
 
 std::vector<Technique> limits()

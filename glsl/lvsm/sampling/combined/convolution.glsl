@@ -18,7 +18,7 @@ float lvsm_sampleConvolution(LVSM_HIGHP sampler2DArray map, lvsm_MapPoint at, fl
                              float strength, float scale)
 {
     float sum = 0.0;
-    for (int i = 0; 4 * i < order; ++i)
+    for (int i = 0; i < (order + 3) / 4; ++i)
     {
         int first = 4 * i + 1;
         vec4 emptySines = lvsm_encodeFourier(lvsm_fourierSines(1.0, first, order));

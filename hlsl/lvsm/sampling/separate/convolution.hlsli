@@ -18,7 +18,7 @@ float lvsm_sampleConvolution(Texture2DArray<float4> map, SamplerState filtering,
                              int order, float offset, float strength, float scale)
 {
     float sum = 0.0;
-    for (int i = 0; 4 * i < order; ++i)
+    for (int i = 0; i < (order + 3) / 4; ++i)
     {
         int first = 4 * i + 1;
         float4 emptySines = lvsm_encodeFourier(lvsm_fourierSines(1.0, first, order));
