@@ -9,7 +9,8 @@
 
 A survivor needs a reason: survivors.txt lists those that change nothing that is promised, each group under its reason.
 named.txt holds changes written by hand; each of them has to fail a test. Exits with 1 where a survivor has no reason or
-a named change survives. A new header is a new topic; docs/mutations.md shows what --record has written.
+a named change survives. A new header is a new topic, which --check asks for; docs/mutations.md shows what --record has
+written.
 """
 import argparse
 import json
@@ -27,6 +28,7 @@ import mutants as maths
 from schemata import HERE, ROOT, Build
 from shaders import Parity
 
+NO_TOPIC = {"lvsm": "includes the others and holds nothing of its own"}
 QUICK = 0.3  # seconds that the first tests of a mutant may take together
 
 
@@ -123,7 +125,7 @@ def try_mutant(program, number, steps, seconds):
 
 
 def check(found, lost):
-    """The lists' lines that no longer match the sources."""
+    """The lists' lines that no longer match the sources, and what has not been recorded."""
     known = {mutant.key for mutants in found.values() for mutant in mutants}
     errors = [f"named.txt: no such line any more: {key}" for key in lost]
     for key, reason in listed(HERE / "survivors.txt").items():
@@ -131,6 +133,21 @@ def check(found, lost):
             errors.append(f"survivors.txt: no such mutant any more: {key}")
         if not reason:
             errors.append(f"survivors.txt: no reason above: {key}")
+    return errors + unrecorded(set(found) - set(NO_TOPIC))
+
+
+def unrecorded(topics):
+    """What docs/mutations.md lacks: a header without its row, a row without its header, more than one survivor in a
+    hundred without a reason."""
+    rows = json.loads((HERE / "recorded.json").read_text())["topics"]
+    errors = [f"recorded.json: {topic}.hpp has not been run: tests/mutation/mutate.py --topic {topic} --record"
+              for topic in sorted(topics - set(rows))]
+    errors += [f"recorded.json: no header is named {topic}.hpp any more" for topic in sorted(set(rows) - topics)]
+    reasons = listed(HERE / "survivors.txt")
+    bare = [key for row in rows.values() for key in row["survivors"] if key not in reasons]
+    count = sum(row["killed"] + row["broken"] + len(row["survivors"]) for row in rows.values())
+    if 100 * len(bare) > count:
+        errors.append(f"recorded.json: {len(bare)} of {count} mutants survive without a reason, more than one in a hundred")
     return errors
 
 
