@@ -1,11 +1,12 @@
 // The one-file versions in plain WebGL2, after the three lines that GLSL ES 3.00 asks of a user.
 export const HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
-const VERTEX = `${HEAD}void main() { gl_PointSize = 1.0; gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }\n`;
+const POINT = `${HEAD}void main() { gl_PointSize = 1.0; gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }\n`;
 
-// A fragment shader's program, which draws one point over the whole of a target of one texel.
-export function program(gl, fragment) {
+// A fragment shader's program, which draws one point over the whole of a target of one texel, or what else the vertex
+// shader says.
+export function program(gl, fragment, vertex = POINT) {
     const made = gl.createProgram();
-    for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment]]) {
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
         const shader = gl.createShader(type);
         gl.shaderSource(shader, source);
         gl.compileShader(shader);

@@ -91,7 +91,8 @@ def wrappers(root):
     code = {language: "".join(path.read_text() for path in sorted(tests.glob("kernels/*")) if path.suffix in suffixes)
             for language, suffixes in (("glsl", (".comp", ".frag", ".glsl")), ("hlsl", (".hlsl", ".hlsli", ".glsl")))}
     programs = "".join(path.read_text() for path in sorted(tests.glob("*.cpp")) + sorted(tests.glob("*.py")))
-    for language in ("glsl", "hlsl"):
+    code["wgsl"] = "".join(path.read_text() for path in sorted(tests.glob("kernels/*.wgsl")))
+    for language in ("glsl", "hlsl", "wgsl"):
         for path in sorted(path for path in (root / language / "lvsm/sampling").rglob("*") if path.is_file()):
             names = re.findall(r"^(?:///[^\n]*\n)+[\w<>]+ (lvsm_\w+)\(", path.read_text(), re.MULTILINE)
             for name in names:
@@ -99,10 +100,12 @@ def wrappers(root):
                     yield f"no shader in tests/sampling/kernels calls {name} of {path.relative_to(root)}"
         for path in sorted((root / language / "lvsm/sampling").glob("*/*")):
             form = path.parent.with_suffix(path.suffix)
-            if f'#include "{form.stem}/{path.name}"' not in form.read_text():
+            if language != "wgsl" and f'#include "{form.stem}/{path.name}"' not in form.read_text():
                 yield f"{form.relative_to(root)} does not include {path.relative_to(root)}"
         passes = sorted((root / language / "lvsm/passes").glob("*"))
         included = {name for path in passes for name in re.findall(r'#include "(\w+\.\w+)"', path.read_text())}
+        needs = "".join(path.read_text().splitlines()[2] for path in passes)  # the third line, of WGSL alone
+        included |= {f"{name}.wgsl" for name in re.findall(r"\bpasses/(\w+)", needs)}
         for path in passes:
             if not re.search(rf"\b{path.stem}\b", programs) and path.name not in included:
                 yield f"nothing in tests/sampling runs {path.relative_to(root)}"

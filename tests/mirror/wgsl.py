@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Makes wgsl/lvsm/TOPIC.wgsl of glsl/lvsm/TOPIC.glsl; without --write, fails where one is not what it would make.
+"""Makes wgsl/lvsm/TOPIC.wgsl of glsl/lvsm/TOPIC.glsl, and the sampling wrappers of those with samplers apart; without
+--write, fails where one is not what it would make.
 
 The names, the order of the parameters, the comments and the lines stay. WGSL has no #include, no overloads (nor has this
-library), no ?: (select), no inout (a pointer), and converts nothing by itself. config.wgsl and lvsm.wgsl are written by
-hand: their comments are of the language.
+library), no ?: (select), no inout (a pointer), and converts nothing by itself. config.wgsl, lvsm.wgsl, the passes and
+sampling/separate.wgsl are written by hand: their comments, settings and bindings are of the language.
 """
 import argparse
 import pathlib
@@ -14,7 +15,7 @@ from wgsl_code import Fault, Known, Parameter, Reader, Variable, wgsl_type
 from wgsl_layout import lines_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BY_HAND = {"config", "lvsm"}
+BY_HAND = {"config", "lvsm", "sampling/separate", "sampling/highp"}
 ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "|=", "&=", "^="}
 
 
@@ -43,7 +44,7 @@ class Translation(Reader):
     # Declarations at the scope of a file.
 
     def file(self):
-        directives = r"#(ifndef|define) LVSM_\w+_GLSL|#include \"\w+\.glsl\"|#endif"
+        directives = r"#(ifndef|define) LVSM_\w+_GLSL|#include \"[\w./]+\.glsl\"|#endif"
         while True:
             while self.next.kind == "directive":
                 if not re.fullmatch(directives, self.next.text):
@@ -90,7 +91,7 @@ class Translation(Reader):
         while not self.accept(")"):
             if found:
                 self.take(",")
-            is_pointer = self.accept("inout") is not None
+            is_pointer = bool(self.accept("inout") or self.accept("out"))
             type_, name = self.take_type(), self.take_name()
             size = self.take_size()
             found.append(Parameter(type_ + "[]" * bool(size), name, is_pointer, size))
@@ -215,6 +216,11 @@ class Translation(Reader):
 
 
 def translated(text, known):
+    # No precision is asked for.
+    text = text.replace("Needs: sampling/highp.", "Needs: no other.").replace("sampling/highp, ", "")
+    # No sampler filters codes.
+    functions = text.split("\n}\n")
+    text = "\n}\n".join(re.sub(r", (sampler )?filtering\b", "", f) if "utexture" in f else f for f in functions)
     translation = Translation(text, known)
     translation.file()
     return "\n".join(translation.lines) + "\n"
@@ -226,11 +232,13 @@ def topics(root):
 
     def add(stem):
         if stem not in found:
-            for included in re.findall(r'^#include "(\w+)\.glsl"', (root / f"glsl/lvsm/{stem}.glsl").read_text(), re.MULTILINE):
-                add(included)
+            path = root / f"glsl/lvsm/{stem}.glsl"
+            for included in re.findall(r'^#include "([\w./]+)\.glsl"', path.read_text(), re.MULTILINE):
+                add((path.parent / included).resolve().relative_to((root / "glsl/lvsm").resolve()).as_posix())
             found.append(stem)
 
     add("lvsm")
+    add("sampling/separate")
     return [stem for stem in found if stem not in BY_HAND]
 
 
@@ -263,6 +271,7 @@ def main():
     parser.add_argument("--write", action="store_true")
     if parser.parse_args().write:
         for path, text in made(ROOT):
+            path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
     found = list(differences(ROOT))
     print(*found, f"{len(found)} differences", sep="\n")

@@ -8,6 +8,11 @@ import dataclasses
 import re
 
 SCALARS = {"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"}
+# What only parameters are.
+OPAQUE = {"sampler": "sampler", "texture2D": "texture_2d<f32>", "texture2DArray": "texture_2d_array<f32>",
+          "utexture2DArray": "texture_2d_array<u32>"}
+# A texture and its sampler in one, and what a texel of it is.
+JOINED = {"sampler2D": "vec4", "sampler2DArray": "vec4", "usampler2DArray": "uvec4"}
 SUFFIXES = {"": ("f", "float"), "i": ("i", "int"), "u": ("u", "uint")}
 VECTOR = re.compile(r"([iu]?)vec([234])")
 # Built-ins by the type of their result: that of the first argument, or float.
@@ -59,6 +64,7 @@ class Expression:
     type: str
     variable: Variable = None  # what it is a part of
     is_choice: bool = False    # a select, which needs no parentheses
+    parts: tuple = ()          # what a constructor or a call is given
 
 
 @dataclasses.dataclass
@@ -97,7 +103,7 @@ def wgsl_type(type_, size=""):
     if type_.endswith("[]"):
         return f"array<{wgsl_type(type_[:-2])}, {size}>"
     vector = VECTOR.fullmatch(type_)
-    return f"vec{vector[2]}{SUFFIXES[vector[1]][0]}" if vector else SCALARS.get(type_, type_)
+    return f"vec{vector[2]}{SUFFIXES[vector[1]][0]}" if vector else {**SCALARS, **OPAQUE}.get(type_, type_)
 
 
 def is_vector(type_):
@@ -142,7 +148,7 @@ class Reader:
 
     def is_type(self):
         text = self.next.text
-        return text in SCALARS or text in self.known.structs or is_vector(text) or text == "void"
+        return text in {*SCALARS, *OPAQUE, *self.known.structs, "void"} or is_vector(text)
 
     def take_type(self):
         if not self.is_type():
@@ -264,7 +270,11 @@ class Reader:
         if name in self.known.functions:
             return Expression(f"{name}({text})", self.known.functions[name][0])
         if name in SCALARS or is_vector(name) or name in self.known.structs:
-            return Expression(f"{wgsl_type(name)}({text})", name)
+            return Expression(f"{wgsl_type(name)}({text})", name, parts=tuple(arguments))
+        if name in JOINED:
+            return Expression(text, name, parts=tuple(arguments))
+        if name.startswith("tex") and arguments and arguments[0].type in JOINED:
+            return self.texture_call(name, *arguments)
         if name in BITS:
             return Expression(f"{BITS[name][0]}({text})", BITS[name][1])
         if name not in LIKE_FIRST | FLOATS or not arguments:
@@ -273,6 +283,24 @@ class Reader:
         if is_vector(type_) and any(not is_vector(argument.type) for argument in arguments[1:]):
             text = ", ".join(a.text if is_vector(a.type) else f"{wgsl_type(type_)}({a.text})" for a in arguments)
         return Expression(f"{OTHER_NAMES.get(name, name)}({text})", "float" if name in FLOATS else type_)
+
+    def texture_call(self, name, joined, *arguments):
+        """One of GLSL's functions that read a texture: WGSL has the slice of an array apart, and no sampler to a fetch."""
+        texture = joined.parts[0].text
+        if name == "textureSize":
+            return Expression(f"textureDimensions({texture})", "uvec2")
+        place, *others = arguments
+        words = place.text
+        if joined.type.endswith("Array"):
+            words = f"{words}.xy, i32({words}.z)" if place.type == "vec3" else f"{words}.xy, {words}.z"
+            if len(place.parts) == 2:
+                across, slice_ = place.parts
+                words = f"{across.text}, {slice_.parts[0].text if place.type == 'vec3' else slice_.text}"
+        named = {"textureGrad": f"textureSampleGrad({joined.text}", "textureGather": f"textureGather(0, {joined.text}",
+                 "texelFetch": f"textureLoad({texture}"}
+        if name not in named:
+            self.fault(f"the function {name} is not known")
+        return Expression(", ".join([named[name], words, *(other.text for other in others)]) + ")", JOINED[joined.type])
 
     def pointer(self):
         """An argument that the function changes: a variable of its own, since WGSL points to no part of one."""

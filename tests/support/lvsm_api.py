@@ -70,12 +70,12 @@ def files(root):
 def needs(path, folder):
     """What a file includes and these include in turn, each after what it needs itself: the order in which to paste.
 
-    WGSL includes nothing, and a topic needs what it does in GLSL."""
+    WGSL includes nothing, and a file needs what it does in GLSL, but for what asks GLSL ES for highp."""
     if path.suffix == ".wgsl":
-        folder = folder.parents[1] / LANGUAGES["GLSL"][0]
-        path = folder / path.with_suffix(".glsl").name
-        if not path.exists():
-            return []
+        glsl = folder.parents[1] / LANGUAGES["GLSL"][0]
+        twins = [glsl / path.relative_to(folder).with_suffix(suffix) for suffix in (".glsl", ".comp", ".frag")]
+        twin = next((twin for twin in twins if twin.exists()), None)
+        return [name for name in (needs(twin, glsl) if twin else []) if name != "sampling/highp"]
     found = []
     for bracket, name in re.findall(r'^#include ([<"])([^>"]+)', path.read_text(), re.MULTILINE):
         if bracket == "<":
