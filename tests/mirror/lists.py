@@ -104,7 +104,7 @@ def wrappers(root):
                 yield f"{form.relative_to(root)} does not include {path.relative_to(root)}"
         passes = sorted((root / language / "lvsm/passes").glob("*"))
         included = {name for path in passes for name in re.findall(r'#include "(\w+\.\w+)"', path.read_text())}
-        needs = "".join(path.read_text().splitlines()[2] for path in passes)  # the third line, of WGSL alone
+        needs = "".join(re.search(r"// Needs: .*|$", path.read_text())[0] for path in passes)
         included |= {f"{name}.wgsl" for name in re.findall(r"\bpasses/(\w+)", needs)}
         for path in passes:
             if not re.search(rf"\b{path.stem}\b", programs) and path.name not in included:

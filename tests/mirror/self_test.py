@@ -171,6 +171,8 @@ FILES = {
     "glsl/lvsm/sampling/all.glsl": "// Needs: sampling/all/one.\n#include \"all/one.glsl\"\n",
     "glsl/lvsm/sampling/all/one.glsl": WRAPPER,
     "hlsl/lvsm/passes/blur.hlsl": "// Needs: no other.\n",
+    "wgsl/lvsm/sampling/all/one.wgsl": "// Needs: no other.\n\n/// Reads.\nfn lvsm_sampleOne(x: f32) -> f32\n{\n    return x;\n}\n",
+    "wgsl/lvsm/passes/mip.wgsl": "// Needs: no other.\n",
     "README.md": "| topic | what |\n|---|---|\n| `depth` | depths; `place` runs on the host |\n",
     "tests/CMakeLists.txt": "add_subdirectory(unit)\nadd_subdirectory(parity)\nadd_subdirectory(sampling)\n",
     "tests/unit/CMakeLists.txt": "file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)\nadd_executable(lvsm_unit main.cpp ${tests})\n",
@@ -181,7 +183,8 @@ FILES = {
     "tests/parity/functions.def": "// FUNCTION(name)\nFUNCTION(first, Vec2, (A(0), V2(1)), pairs, 0.0, 1.0)\n"
                                   "FUNCTION(second, Splits, (splits, weights, N(19)), pairs, -FLT_MAX, FLT_MAX)\n",
     "tests/sampling/CMakeLists.txt": "add_executable(lvsm_sampling passes.cpp)\n",
-    "tests/sampling/passes.cpp": "// blur\n",
+    "tests/sampling/passes.cpp": "// blur mip\n",
+    "tests/sampling/kernels/all.wgsl": "lvsm_sampleOne(1.0);\n",
     "tests/sampling/kernels/all.comp": "lvsm_sample(1.0);\n",
     "tests/cost/estimates.def": "// ESTIMATE(name)\nESTIMATE(One, 1, lvsm_first())\n",
 }
@@ -278,6 +281,8 @@ CASES = {
     "wrapper_not_included": ("glsl/lvsm/sampling/all.glsl", "// Needs: sampling/all/one.\n#include \"all/one.glsl\"\n",
                              "// Needs: no other.\n", "all.glsl does not include glsl/lvsm/sampling/all/one.glsl"),
     "pass_not_run": ("tests/sampling/passes.cpp", "// blur", "//", "runs hlsl/lvsm/passes/blur.hlsl"),
+    "wgsl_pass_not_run": ("tests/sampling/passes.cpp", " mip", "", "runs wgsl/lvsm/passes/mip.wgsl"),
+    "wgsl_wrapper_not_called": ("tests/sampling/kernels/all.wgsl", "lvsm_sampleOne", "lvsm_sample", "calls lvsm_sampleOne"),
     "topic_file_missing": ("glsl/lvsm/depth.glsl", GLSL, None, "topic depth is missing in GLSL"),
     "topic_not_in_umbrella": ("hlsl/lvsm/lvsm.hlsli", '#include "depth.hlsli"\n', "", "does not include depth in HLSL"),
     "name_without_prefix": ("glsl/lvsm/depth.glsl", "const float", "const float HALF = 0.5;\nconst float", "HALF could collide"),

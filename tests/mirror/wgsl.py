@@ -237,8 +237,9 @@ def topics(root):
                 add((path.parent / included).resolve().relative_to((root / "glsl/lvsm").resolve()).as_posix())
             found.append(stem)
 
-    add("lvsm")
-    add("sampling/separate")
+    for umbrella in ("lvsm", "sampling/separate"):
+        if (root / f"glsl/lvsm/{umbrella}.glsl").exists():
+            add(umbrella)
     return [stem for stem in found if stem not in BY_HAND]
 
 
