@@ -13,7 +13,7 @@ fn lvsm_sampleConvolution(map: texture_2d_array<f32>, filtering: sampler, at: lv
                           offset: f32, strength: f32, scale: f32) -> f32
 {
     var sum = 0.0;
-    for (var i = 0; 4 * i < order; i++)
+    for (var i = 0; i < (order + 3) / 4; i++)
     {
         let first = 4 * i + 1;
         let emptySines = lvsm_encodeFourier(lvsm_fourierSines(1.0, first, order));
