@@ -1,5 +1,5 @@
 # What is installed, and packed by `cpack` or cmake/release.cmake: headers, shader files, the one-file versions and how to
-# make others, the licence; lvsm for find_package and for pkg-config. Nothing depends on where it is installed.
+# make others, lvsm.mjs, the licence; lvsm for find_package and for pkg-config. Nothing depends on where it is installed.
 include(CMakePackageConfigHelpers)
 set(shader_root ${CMAKE_INSTALL_DATADIR}/lvsm)
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/lvsm)
@@ -8,6 +8,8 @@ install(DIRECTORY include/lvsm DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY glsl hlsl wgsl DESTINATION ${shader_root})
 install(FILES ${singles} DESTINATION ${shader_root}/single)
 install(FILES cmake/single_file.cmake DESTINATION ${shader_root}/cmake)
+# Where there is what it needs.
+install(FILES ${PROJECT_BINARY_DIR}/wasm/lvsm.mjs ${PROJECT_BINARY_DIR}/wasm/lvsm.d.mts DESTINATION ${shader_root}/host OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(TARGETS lvsm EXPORT lvsm)

@@ -6,5 +6,6 @@ if(NOT FOLDER)
   set(FOLDER ${source}/build/release)
 endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B ${FOLDER} -D LVSM_BUILD_TESTS=OFF -D LVSM_BUILD_EXAMPLES=OFF
+  -D LVSM_BUILD_WASM=ON
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER} --target package COMMAND_ERROR_IS_FATAL ANY)

@@ -19,11 +19,13 @@ copyFileSync(join(here, "../LICENSE"), join(output, "LICENSE"));
 copyFileSync(join(here, "README.md"), join(output, "README.md"));
 
 // The one-file versions as strings, so that no bundler needs a loader for them.
-for (const [name, file] of [["glsl", "lvsm_all.glsl"], ["hlsl", "lvsm_all.hlsli"], ["wgsl", "lvsm_all.wgsl"]]) {
+const TEXTS = {"glsl": "lvsm_all.glsl", "hlsl": "lvsm_all.hlsli", "wgsl": "lvsm_all.wgsl", "glsl-sampling": "lvsm_combined.glsl",
+               "hlsl-sampling": "lvsm_separate.hlsli", "wgsl-sampling": "lvsm_separate.wgsl"};
+for (const [name, file] of Object.entries(TEXTS)) {
     const text = JSON.stringify(readFileSync(join(single, file), "utf8"));
     writeFileSync(join(output, `${name}.mjs`), `${NOTICE}export default ${text};\n`);
     writeFileSync(join(output, `${name}.d.mts`),
-                  `${NOTICE}/** The text of ${file}. */\ndeclare const ${name}: string;\nexport default ${name};\n`);
+                  `${NOTICE}/** The text of ${file}. */\ndeclare const text: string;\nexport default text;\n`);
 }
 
 const module = (path) => ({types: `./${path}.d.mts`, default: `./${path}.mjs`});
@@ -35,8 +37,8 @@ const manifest = {
     license: "MIT",
     type: "module",
     sideEffects: false,
-    exports: {"./glsl": module("glsl"), "./hlsl": module("hlsl"), "./wgsl": module("wgsl"), "./host": module("host/lvsm"),
-              "./shaders/*": "./shaders/*"},
+    exports: {...Object.fromEntries(Object.keys(TEXTS).map((name) => [`./${name}`, module(name)])),
+              "./host": module("host/lvsm"), "./shaders/*": "./shaders/*"},
     files: ["shaders", "host", "*.mjs", "*.mts"],
 };
 writeFileSync(join(output, "package.json"), JSON.stringify(manifest, null, 2) + "\n");

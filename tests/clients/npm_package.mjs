@@ -36,6 +36,9 @@ writeFileSync(join(app, "app.ts"), `
 import glsl from "lvsm/glsl";
 import hlsl from "lvsm/hlsl";
 import wgsl from "lvsm/wgsl";
+import wrappers from "lvsm/glsl-sampling";
+import hlslWrappers from "lvsm/hlsl-sampling";
+import wgslWrappers from "lvsm/wgsl-sampling";
 import {lloydRelax, optimalSplits, version} from "lvsm/host";
 
 function compiles(text: string): string {
@@ -51,7 +54,11 @@ export async function main() {
     const head = "#version 300 es\\nprecision highp float;\\nprecision highp int;\\n";
     const body = "out vec4 c; void main() { c = vec4(lvsm_bracketedVisibility2(vec4(0.5), 0.7, 0.5, 1.0e-5)); }";
     const relaxed: Float32Array = lloydRelax(depths, 64, 64, 2, {maxIterations: 32}).splits;
-    return {shader: compiles(head + glsl + body), hlsl: hlsl.includes("float lvsm_bracketedVisibility2"),
+    const sampled = "uniform highp sampler2DArray m; out vec4 c; void main() { c = vec4(lvsm_sampleVariance(m, " +
+        "lvsm_mapPoint(vec2(0.5), vec2(0.0), vec2(0.0), 0), 0.5, 0.0)); }";
+    return {shader: compiles(head + glsl + body), wrapper: compiles(head + wrappers + sampled),
+            wrappers: hlslWrappers.includes("float lvsm_sampleVariance") && wgslWrappers.includes("fn lvsm_sampleVariance"),
+            hlsl: hlsl.includes("float lvsm_bracketedVisibility2"),
             wgsl: wgsl.includes("fn lvsm_bracketedVisibility2"), version,
             lloyd: relaxed[1], optimal: optimalSplits(depths, 64, 64, 2).splits[1]};
 }
@@ -67,13 +74,16 @@ let status = consoleStatus(said);
 const [major, minor, patch] = version.split(".").map(Number);
 for (const [name, is, right] of [
     ["shader", result?.shader, (value) => value === "compiles"],
+    ["wrapper", result?.wrapper, (value) => value === "compiles"],
+    ["wrappers in HLSL and WGSL", result?.wrappers, (value) => value],
     ["hlsl", result?.hlsl, (value) => value],
     ["wgsl", result?.wgsl, (value) => value],
     ["version", result?.version, (value) => value === 10000 * major + 100 * minor + patch],
     ["lloydRelax", result?.lloyd, (value) => value > 0.2 && value < 0.8],
     ["optimalSplits", result?.optimal, (value) => value > 0.2 && value < 0.8],
     ["licence", existsSync(join(app, "node_modules/lvsm/LICENSE")), (value) => value],
-    ["file", existsSync(join(app, "node_modules/lvsm/shaders/lvsm_all.glsl")), (value) => value],
+    ...["all.glsl", "blur.frag", "step_move.frag", "store.wgsl", "blur.wgsl", "mip.wgsl", "step_sums.wgsl"].map((file) =>
+        [file, existsSync(join(app, `node_modules/lvsm/shaders/lvsm_${file}`)), (value) => value]),
 ]) {
     console.log(`${right(is) ? "ok  " : "FAIL"} ${name}: ${is}`);
     status |= right(is) ? 0 : 1;

@@ -2,7 +2,8 @@
 """Joins what the clients have left into one list:  report.py FOLDER OUTPUT [--complete] [--record]
 
 Fails where a client has not run every function that another has run, has run none, or has failed; with --complete, where
-one of CLIENTS is not there. --record keeps the list as recorded_clients.json, of which docs/clients.md is made.
+one of CLIENTS is not there. The recorded figures, which docs/clients.md shows, are those of another device maybe, but of no
+other order of magnitude: FACTOR says how much an error may have changed. --record keeps the list as recorded_clients.json, of which docs/clients.md is made.
 """
 import argparse
 import json
@@ -28,6 +29,7 @@ CLIENTS = {
               "`#include \"lvsm/lvsm.hlsli\"`; for WGSL `#define LVSM_PRECISE` before it, since Slang keeps `precise` there"),
     "panda3d": ("fragment shader of 3.30", "`#pragma include \"lvsm_all.glsl\"`"),
 }
+FACTOR = 10
 COLUMNS = ("client", "version", "functions", "inputs", "worst_function", "worst_error", "tolerance")
 
 
@@ -51,6 +53,20 @@ def faults(found, complete):
         yield from (f"{name} has not run" for name in CLIENTS if name not in found)
 
 
+def outdated(found, recorded):
+    """What the document shows and is no longer so."""
+    for name, report in found.items():
+        row = recorded.get(name)
+        if row is None:
+            yield f"{name} is not recorded"
+            continue
+        for column in ("worst_error", "tolerance"):
+            least, most = sorted((report[column], row[column]))
+            if most > FACTOR * least:
+                yield f"{name}: {column} is {report[column]:.2g}, recorded {row[column]:.2g}"
+    yield from (f"{name} is recorded and is none of CLIENTS" for name in recorded if name not in CLIENTS)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path)
@@ -61,6 +77,8 @@ def main():
 
     found = reports(options.folder)
     wrong = list(faults(found, options.complete))
+    if not options.record:
+        wrong += [f"{line}: --record" for line in outdated(found, json.loads(RECORDED.read_text()))]
     rows = {name: {column: report[column] for column in COLUMNS} for name, report in found.items()}
     for row in rows.values():
         print(f"{row['client']} ({row['version']}): {row['functions']} functions, {row['inputs']} inputs, "

@@ -35,8 +35,27 @@ function(copied_folder)
   run(${WORK}/consumer)
 endfunction()
 
+# What a package holds: both forms of the shaders, wrappers and passes too, and lvsm.mjs where this machine can make it.
+function(check_files prefix)
+  set(files share/doc/lvsm/LICENSE share/lvsm/glsl/lvsm/bracket.glsl share/lvsm/wgsl/lvsm/bracket.wgsl
+    share/lvsm/wgsl/lvsm/passes/store.wgsl share/lvsm/wgsl/lvsm/sampling/separate/variance.wgsl)
+  foreach(file all.glsl all.wgsl combined.glsl separate.glsl separate.hlsli separate.wgsl store.comp store.frag store.wgsl blur.wgsl
+      mip.wgsl step_sums.wgsl step_move.wgsl)
+    list(APPEND files share/lvsm/single/lvsm_${file})
+  endforeach()
+  if(EXISTS ${BUILT}/wasm/lvsm.mjs)
+    list(APPEND files share/lvsm/host/lvsm.mjs share/lvsm/host/lvsm.d.mts)
+  endif()
+  foreach(file ${files})
+    if(NOT EXISTS ${prefix}/${file})
+      message(FATAL_ERROR "the package lacks ${file}")
+    endif()
+  endforeach()
+endfunction()
+
 function(find_package_of_an_installation)
   install_and_move(${BUILT})
+  check_files(${WORK}/prefix)
   build(project -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 endfunction()
 
@@ -96,18 +115,13 @@ function(pkg_config)
   run(${WORK}/consumer ${glsldir}/lvsm/lvsm.glsl ${hlsldir}/lvsm/lvsm.hlsli ${wgsldir}/lvsm/lvsm.wgsl ${singledir}/lvsm_all.glsl)
 endfunction()
 
-# The archive of a release holds the licence and both forms of the shaders, and CMake finds the package in it.
+# CMake finds the package in the archive of a release.
 function(release)
   run(${CMAKE_COMMAND} -D FOLDER=${WORK}/release -P ${SOURCE}/cmake/release.cmake)
   file(GLOB archive ${WORK}/release/lvsm-*.zip)
   file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${WORK}/unpacked)
   file(GLOB prefix ${WORK}/unpacked/lvsm-*)
-  foreach(file share/doc/lvsm/LICENSE share/lvsm/glsl/lvsm/bracket.glsl share/lvsm/wgsl/lvsm/bracket.wgsl
-      share/lvsm/single/lvsm_all.glsl share/lvsm/single/lvsm_all.wgsl)
-    if(NOT EXISTS ${prefix}/${file})
-      message(FATAL_ERROR "the archive lacks ${file}")
-    endif()
-  endforeach()
+  check_files(${prefix})
   run(${CMAKE_COMMAND} -D SOURCE=${prefix}/share/lvsm/glsl/lvsm/bracket.glsl -D OUTPUT=${WORK}/lvsm_bracket.glsl
     -P ${prefix}/share/lvsm/cmake/single_file.cmake)
   build(project -DCMAKE_PREFIX_PATH=${prefix})
