@@ -28,7 +28,12 @@ struct Section
     Light light;
     std::string exact;
     std::vector<Row> rows;
+    /// Shares of the shadow map's texels over depth; empty where it is not known.
+    std::vector<double> histogram = {};
 };
+
+/// The histogram of a map's depths in [0,1]; texels at 1 are background and left out.
+std::vector<double> depthHistogram(const std::vector<float>& depths);
 
 /// What one automatic comparison of the figures said.
 struct Verdict

@@ -1,9 +1,9 @@
 """Runs one case: gallery_test.py CASE GALLERY. Exit status 77: no Vulkan device. Without arguments, lists
 the cases."""
 
-import html.parser
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -25,16 +25,6 @@ cases = {}
 
 def case(function):
     cases[function.__name__] = function
-
-
-class Pictures(html.parser.HTMLParser):
-    def __init__(self):
-        super().__init__()
-        self.names = []
-
-    def handle_starttag(self, tag, attributes):
-        if tag == "img":
-            self.names.append(dict(attributes)["src"])
 
 
 def run(*arguments):
@@ -78,10 +68,9 @@ def bleedsInVsmAndNotInFourLayersOrExponential(folder):
         assert behind["vsm"] > 0.1, behind
         assert behind["lvsm4"] < 0.01 and behind["evsm4"] < 0.001, behind
 
-    page = Pictures()
-    page.feed((folder / "gallery/index.html").read_text())
+    shown = re.findall(r'"([\w-]+\.png)"', (folder / "gallery/index.html").read_text())
     written = [name for name in names_in(folder / "gallery") if name != "index.html"]
-    assert sorted(set(page.names)) == written, "the page and the folder differ"
+    assert sorted(set(shown)) == written, "the page and the folder differ"
     for name in written:
         assert (folder / "gallery" / name).read_bytes().startswith(PNG), name
 

@@ -1,5 +1,6 @@
 """The papers' claims beside our figures, as tests/docs/documents.py shows them."""
 import importlib.util
+import json
 import pathlib
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -36,3 +37,5 @@ def run():
 TABLES = {"papers.run": run,
           **{f"papers.{paper.__name__.removeprefix('claims_')}": table(paper) for paper in recorded.claims.papers()}}
 NAMES = {"claims": count}
+# For the gallery, which shows them.
+FILES = {"docs/papers.json": lambda: json.dumps(ROWS, indent=1) + "\n"}

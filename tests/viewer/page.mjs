@@ -92,15 +92,15 @@ export class Viewer {
 }
 
 // Runs the cases {name: async (viewer) => ...} one after the other in one tab, and says of each whether it passed. A word
-// on the console fails the case in which it was said.
-export async function runCases(path, options, cases) {
+// on the console fails the case in which it was said. Page is what the cases get, made of tab, path and the words.
+export async function runCases(path, options, cases, Page = Viewer) {
     if (!existsSync(path)) {
         console.log(`skipped: no ${path}`);
         process.exit(77);
     }
     let failed = 0;
     await withTab(options, async (tab, said) => {
-        const viewer = new Viewer(tab, path, said);
+        const viewer = new Page(tab, path, said);
         for (const [name, act] of Object.entries(cases)) {
             const start = Date.now();
             try {
