@@ -64,36 +64,35 @@ std::string scenes(const std::vector<Section>& sections)
 std::string pageText(const std::vector<Section>& sections, const std::vector<Verdict>& verdicts, const Setup& setup)
 {
     std::ostringstream html;
-    html
-        << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-           "<title>Filterable shadow maps: the lvsm gallery</title>\n"
-           "<script>document.documentElement.classList.add(\"scripted\");</script>\n<style>\n"
-        << readText(LVSM_GALLERY_PAGE ".css") << "</style></head>\n<body><main>\n<h1>Filterable shadow maps</h1>\n"
-        << "<p class=\"lead\">Ways to read a shadow map of " << setup.mapSize << " &times; " << setup.mapSize
-        << " texels, two at a time, against the exact answer. All mathematics come from the library's GLSL includes, "
-           "run on "
-        << escaped(setup.device) << ".</p>\n"
-        << contents(sections) << verdictList(verdicts)
-        << "<details><summary>How to read it</summary><p>Choose A and B and drag the divider between them, or move it "
-           "by the arrow keys. Maps of moments are blurred by a binomial kernel of 9 &times; 9 texels in the format "
-           "named, and sampled bilinearly. The exact "
-           "picture uses the same weights but compares every unfiltered texel with the receiver's own plane; what "
-           "rises from that plane by less than 3 in 10 "
-           "is taken for the receiver's curvature, not for an occluder. The plain shadow map "
-           "makes one comparison with the nearest texel. "
-           "Figures cover the "
-           "surfaces that face the light within the shadow map; each pixel counts by the light that would reach it "
-           "unshadowed. No technique uses light bleeding reduction where its name does not say so.</p></details>\n"
-        << scenes(sections) << paperTables()
-        << "<footer><h2>Sources</h2><ul>"
-           "<li>Williams, <cite>Casting Curved Shadows on Curved Surfaces</cite>, SIGGRAPH 1978: shadow maps.</li>"
-           "<li>Donnelly and Lauritzen, <cite>Variance Shadow Maps</cite>, I3D 2006: VSM.</li>"
-           "<li>Lauritzen and McCool, <cite>Layered Variance Shadow Maps</cite>, Graphics Interface 2008: LVSM, EVSM, "
-           "Lloyd relaxation of the layers, and the scenes of figures 2 and 3.</li>"
-           "<li>Colours: ColorBrewer PuOr for errors, Okabe and Ito for layers.</li></ul></footer>\n"
-           "</main>\n<script>\n"
-        << readText(LVSM_GALLERY_PAGE ".js") << "</script></body></html>\n";
+    html << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+            "<title>Filterable shadow maps: the lvsm gallery</title>\n"
+            "<script>document.documentElement.classList.add(\"scripted\");</script>\n<style>\n"
+         << readText(LVSM_GALLERY_PAGE ".css") << "</style></head>\n<body><main>\n<h1>Filterable shadow maps</h1>\n"
+         << "<p class=\"lead\">Ways to read a shadow map of " << setup.mapSize << " &times; " << setup.mapSize
+         << " texels, two at a time, against the exact answer. All mathematics come from the library's GLSL includes, "
+            "run on "
+         << escaped(setup.device) << ".</p>\n"
+         << contents(sections) << verdictList(verdicts)
+         << "<details><summary>How to read it</summary><p>Choose A and B and drag the divider between them, or move it "
+            "by the arrow keys. Maps of moments are blurred by a binomial kernel of 9 &times; 9 texels in the format "
+            "named, and sampled bilinearly. The exact "
+            "picture uses the same weights but compares every unfiltered texel with the receiver's own plane; what "
+            "rises from that plane by less than 3 in 10 "
+            "is taken for the receiver's curvature, not for an occluder. The plain shadow map "
+            "makes one comparison with the nearest texel. "
+            "Figures cover the "
+            "surfaces that face the light within the shadow map; each pixel counts by the light that would reach it "
+            "unshadowed. No technique uses light bleeding reduction where its name does not say so.</p></details>\n"
+         << scenes(sections) << paperTables()
+         << "<footer><h2>Sources</h2><ul>"
+            "<li>Williams, <cite>Casting Curved Shadows on Curved Surfaces</cite>, SIGGRAPH 1978: shadow maps.</li>"
+            "<li>Donnelly and Lauritzen, <cite>Variance Shadow Maps</cite>, I3D 2006: VSM.</li>"
+            "<li>Lauritzen and McCool, <cite>Layered Variance Shadow Maps</cite>, Graphics Interface 2008: LVSM, EVSM, "
+            "Lloyd relaxation of the layers, and the scenes of figures 2 and 3.</li>"
+            "<li>Colours: ColorBrewer PuOr for errors, Okabe and Ito for layers.</li></ul></footer>\n"
+            "</main>\n<script>\n"
+         << readText(LVSM_GALLERY_PAGE ".js") << "</script></body></html>\n";
     return html.str();
 }
 

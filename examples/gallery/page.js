@@ -30,6 +30,13 @@ function show(article, known, side) {
     layers.replaceChildren(...(view === "layers" ? legendOf(known[value].splits) : []));
     for (const part of article.querySelectorAll("[data-technique]"))
         part.classList.toggle(side, part.dataset.technique === value);
+    raise(article);
+}
+
+// What is chosen lies over what is not.
+function raise(article) {
+    for (const point of article.querySelectorAll(".point:is(.a, .b)"))
+        point.parentNode.append(point);
 }
 
 // One way for mouse, pen and finger; keys are the range's own.
@@ -77,4 +84,5 @@ for (const article of document.querySelectorAll("article")) {
     article.querySelector("fieldset").addEventListener("change", () => ["a", "b"].forEach((side) => show(article, known, side)));
     makeDivider(article.querySelector(".stage"));
     article.querySelectorAll(".chart svg").forEach(makeChart);
+    raise(article);
 }

@@ -21,7 +21,7 @@ constexpr double kBottom = 200.0;
 constexpr double kLetter = 6.4;
 constexpr double kLine = 13.0;
 constexpr double kMarker = 5.0;
-// A map whose filter is the truth's own has next to no error; the axis begins here.
+// Who compares every texel of the window has next to no error and is on no front; the axis begins here.
 constexpr double kLeastError = 1e-3;
 
 struct Rectangle
@@ -38,10 +38,7 @@ struct Axis
 {
     double low, high, from, to;
 
-    double at(double value) const
-    {
-        return from + (to - from) * std::log(value / low) / std::log(high / low);
-    }
+    double at(double value) const { return from + (to - from) * std::log(value / low) / std::log(high / low); }
 };
 
 struct Point
@@ -105,9 +102,9 @@ Label labelAt(double x, double y, const char* anchor, double width)
 std::vector<Label> placesFor(const Point& point)
 {
     const double width = widthOf(point.row->technique->title);
-    return {labelAt(point.x + 9, point.y + 4, "start", width), labelAt(point.x - 9, point.y + 4, "end", width),
-            labelAt(point.x, point.y - 10, "middle", width),   labelAt(point.x, point.y + 19, "middle", width),
-            labelAt(point.x + 6, point.y - 9, "start", width), labelAt(point.x - 6, point.y - 9, "end", width),
+    return {labelAt(point.x + 9, point.y + 4, "start", width),  labelAt(point.x - 9, point.y + 4, "end", width),
+            labelAt(point.x, point.y - 10, "middle", width),    labelAt(point.x, point.y + 19, "middle", width),
+            labelAt(point.x + 6, point.y - 9, "start", width),  labelAt(point.x - 6, point.y - 9, "end", width),
             labelAt(point.x + 6, point.y + 17, "start", width), labelAt(point.x - 6, point.y + 17, "end", width)};
 }
 
@@ -128,8 +125,8 @@ std::string points(const Section& section, std::vector<Point>& all, const std::s
         const std::vector<Label> places = placesFor(point);
         const auto isFree = [&](const Label& label)
         {
-            return isInside(label.box) && std::none_of(taken.begin(), taken.end(),
-                                                       [&](const Rectangle& box) { return label.box.meets(box); });
+            return isInside(label.box) &&
+                   std::none_of(taken.begin(), taken.end(), [&](const Rectangle& box) { return label.box.meets(box); });
         };
         const auto free = std::find_if(places.begin(), places.end(), isFree);
         const bool isShown = point.onFront && free != places.end();
@@ -140,12 +137,12 @@ std::string points(const Section& section, std::vector<Point>& all, const std::s
         const std::string& title = point.row->technique->title;
         const std::string error = percent(point.row->figures.rmse);
         svg += "<g tabindex=\"-1\" role=\"img\" aria-label=\"" + title + ": " + number(point.value) + " " + unit +
-               ", error " + error + "%\"" + marked(section, *point.row, isShown ? "point labelled" : "point") +
-               ">" + circle(point, "r=\"9\" class=\"reach\"") + circle(point, "r=\"4\"");
+               ", error " + error + "%\"" + marked(section, *point.row, isShown ? "point labelled" : "point") + ">" +
+               circle(point, "r=\"6\" class=\"reach\"") + circle(point, "r=\"4\"");
         for (const char* side : {"A", "B"})
         {
-            svg += text(point.x, point.y + 4, "middle", side,
-                        std::string(" class=\"letter\" data-side=\"") + side + "\"");
+            svg +=
+                text(point.x, point.y + 4, "middle", side, std::string(" class=\"letter\" data-side=\"") + side + "\"");
         }
         svg += text(label.x, label.y, label.anchor, title, " class=\"label\"") + "</g>\n";
     }
@@ -156,13 +153,14 @@ void markFront(std::vector<Point>& points)
 {
     for (Point& point : points)
     {
-        point.onFront = std::none_of(points.begin(), points.end(),
-                                     [&](const Point& other)
-                                     {
-                                         const double mine = point.row->figures.rmse, theirs = other.row->figures.rmse;
-                                         return other.value <= point.value && theirs <= mine &&
-                                                (other.value < point.value || theirs < mine);
-                                     });
+        const double mine = point.row->figures.rmse;
+        const auto isBetter = [&](const Point& other)
+        {
+            const double theirs = other.row->figures.rmse;
+            return theirs > kLeastError && other.value <= point.value && theirs <= mine &&
+                   (other.value < point.value || theirs < mine);
+        };
+        point.onFront = mine > kLeastError && std::none_of(points.begin(), points.end(), isBetter);
     }
 }
 
@@ -228,8 +226,8 @@ std::string errorChart(const Section& section, const std::function<std::optional
         svg += line(across.at(tick), kTop, across.at(tick), kBottom) +
                text(across.at(tick), kBottom + 15, "middle", number(tick));
     for (const double tick : decades(up.low, up.high))
-        svg += line(kLeft, up.at(tick), kRight, up.at(tick)) +
-               text(kLeft - 5, up.at(tick) + 4, "end", number(tick) + "%");
+        svg +=
+            line(kLeft, up.at(tick), kRight, up.at(tick)) + text(kLeft - 5, up.at(tick) + 4, "end", number(tick) + "%");
     svg += text((kLeft + kRight) / 2, kHeight - 8, "middle", unit) + "</g>\n";
     for (Point& point : all)
     {
@@ -286,10 +284,10 @@ std::string depthChart(const Section& section)
 std::string storageChart(const Section& section)
 {
     return errorChart(
-        section, [](const Row& row) { return std::optional<double>(row.technique->bits); }, octaves,
-        "bits of a texel", "Error against storage",
-        "RMSE in percent of full light. Named is what nothing else beats in both; the others under the pointer, or by the "
-        "arrow keys.");
+        section, [](const Row& row) { return std::optional<double>(row.technique->bits); }, octaves, "bits of a texel",
+        "Error against storage",
+        "RMSE in percent of full light. Named is what nothing stored beats in both; the others tell their names under "
+        "the pointer or by the arrow keys. Who compares each texel of its filter has next to no error, at the bottom.");
 }
 
 std::string costChart(const Section& section)

@@ -88,8 +88,8 @@ std::string views(const Section& section)
     std::string html = "<fieldset><legend>Show</legend>";
     const auto view = [&](const std::string& name, const std::string& words)
     {
-        html += "<label><input type=\"radio\" autocomplete=\"off\" name=\"" + idOf(section) + "-view\" value=\"" + name +
-                "\"" + (name == "shaded" ? " checked" : "") + "> " + words + "</label> ";
+        html += "<label><input type=\"radio\" autocomplete=\"off\" name=\"" + idOf(section) + "-view\" value=\"" +
+                name + "\"" + (name == "shaded" ? " checked" : "") + "> " + words + "</label> ";
     };
     view("shaded", "picture");
     view("errors", "error map");
@@ -123,8 +123,11 @@ std::string errorLegend()
     for (const int part : {-2, -1, 0, 1, 2})
     {
         const double value = 50.0 * static_cast<double>(kErrorRange) * part;
-        ticks += "<span>" + std::string(part < 0 ? "&minus;" : part > 0 ? "+" : "") + fixed(std::abs(value), 0) +
-                 "%</span>";
+        ticks += "<span>" +
+                 std::string(part < 0   ? "&minus;"
+                             : part > 0 ? "+"
+                                        : "") +
+                 fixed(std::abs(value), 0) + "%</span>";
     }
     return "<div class=\"legend\"><span>error map, of full light:</span><span class=\"ramp\" "
            "style=\"background:linear-gradient(90deg" +
@@ -162,7 +165,8 @@ std::string comparison(const Section& section)
     const Row& first = firstOf(section);
     const Row& second = secondOf(section);
     return "<div class=\"compare\"><div class=\"stage\">" + picture(second, "b") + picture(first, "a") +
-           "<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" autocomplete=\"off\" aria-label=\"Divider between A "
+           "<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" autocomplete=\"off\" aria-label=\"Divider between "
+           "A "
            "and B, percent from the left\"><span class=\"divider\"></span>" +
            tag(first, "a") + tag(second, "b") + "</div>\n<div class=\"side\"><div class=\"choice\">" +
            choice(section, "a", first) + choice(section, "b", second) + views(section) + "</div>\n" +

@@ -51,8 +51,7 @@ std::string claimRow(const nlohmann::json& row)
     return "<tr class=\"" + kind + "\"><th scope=\"row\">" + escaped(row.at("item")) + "</th>" +
            cell("claim", withCode(row.at("claim"))) + cell("theirs", withCode(row.at("theirs"))) +
            cell("ours", withCode(row.at("ours"))) + "<td class=\"verdict\">" + verdict + "</td></tr>\n" +
-           (why.empty() ? ""
-                        : "<tr class=\"reason " + kind + "\"><td></td><td colspan=\"4\">" + why + "</td></tr>\n");
+           (why.empty() ? "" : "<tr class=\"reason " + kind + "\"><td></td><td colspan=\"4\">" + why + "</td></tr>\n");
 }
 
 } // namespace
@@ -62,11 +61,12 @@ std::string figureTable(const Section& section)
     const bool shielded = section.scene->shield.has_value();
     const std::string share = "<br><small>% of full light</small></th>";
     std::ostringstream html;
-    html << "<details><summary>All figures of " << section.rows.size() << " techniques</summary>\n"
-         << "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Table of figures\"><table class=\"figures\">"
-         << "<thead><tr><th>technique</th><th>storage</th><th>bits<br><small>a texel</small></th>"
-         << "<th>cost<br><small>units a pixel</small></th><th>RMSE" << share << "<th>mean bleeding" << share
-         << "<th>mean darkening" << share;
+    html
+        << "<details><summary>All figures of " << section.rows.size() << " techniques</summary>\n"
+        << "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Table of figures\"><table class=\"figures\">"
+        << "<thead><tr><th>technique</th><th>storage</th><th>bits<br><small>a texel</small></th>"
+        << "<th>cost<br><small>units a pixel</small></th><th>RMSE" << share << "<th>mean bleeding" << share
+        << "<th>mean darkening" << share;
     if (shielded)
     {
         html << "<th>light behind " << escaped(section.scene->shield->name)
@@ -99,13 +99,15 @@ std::string paperTables()
         {
             tables += paper.empty() ? "" : "</tbody></table>\n";
             paper = row.at("paper");
-            tables += "<h3>" + escaped(paper) +
-                      "</h3>\n<table class=\"claims\"><thead><tr><th>item</th><th>claim</th><th>theirs</th><th>ours</th>"
-                      "<th>agrees?</th></tr></thead><tbody>\n";
+            tables +=
+                "<h3>" + escaped(paper) +
+                "</h3>\n<table class=\"claims\"><thead><tr><th>item</th><th>claim</th><th>theirs</th><th>ours</th>"
+                "<th>agrees?</th></tr></thead><tbody>\n";
         }
         tables += claimRow(row);
     }
-    return "<section id=\"papers\"><h2>The papers, as numbers</h2>\n<p>Claims and figures of the papers beside what the "
+    return "<section id=\"papers\"><h2>The papers, as numbers</h2>\n<p>Claims and figures of the papers beside what "
+           "the "
            "library makes of them. " +
            std::to_string(agreeing) + " of " + std::to_string(rows.size()) +
            " agree. docs/papers.md has the criteria, the pictures and how it is measured.</p>\n"
