@@ -96,7 +96,10 @@ private:
         if (scene.shield)
             subject.shielded = shieldedGround(picture, truth, light, scene.shield->box);
 
-        Section section{&scene, light, fileName(subject, "exact"), {},
+        Section section{&scene,
+                        light,
+                        fileName(subject, "exact"),
+                        {},
                         depthHistogram(support::readTexels<float>(m_gpu, depths.linear))};
         const std::vector<glm::vec2> exact(truth.begin(), truth.end());
         writeShaded(path(section.exact), picture, truth, exact, light.isSpot());

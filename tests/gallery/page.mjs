@@ -36,10 +36,19 @@ class Gallery extends Viewer {
         return this.stage.locator("input").inputValue().then(Number);
     }
 
-    // What is seen in a part of the stage, from and to in shares of its width, above the names.
+    // What is seen in a part of the stage, from and to in shares of its width, above the names, once it rests.
     async seen(from, to) {
+        let [before, now] = ["", await this.photograph(from, to)];
+        for (let tries = 0; before !== now && tries < 10; ++tries)
+            [before, now] = [now, await this.photograph(from, to)];
+        return now;
+    }
+
+    async photograph(from, to) {
+        await this.stage.scrollIntoViewIfNeeded();
         const {x, y, width, height} = await this.stage.boundingBox();
-        const clip = {x: x + from * width, y, width: (to - from) * width, height: 0.75 * height};
+        const clip = {x: Math.round(x + from * width), y: Math.round(y), width: Math.round((to - from) * width),
+                      height: Math.round(0.75 * height)};
         return (await this.tab.screenshot({clip})).toString("base64");
     }
 }
