@@ -94,7 +94,7 @@ namespace detail
 class CellCosts
 {
 public:
-    CellCosts(const double* weights, int binCount, double uniformShare) : m_binCount(binCount)
+    CellCosts(const double (&weights)[kMaxOptimalBins], int binCount, double uniformShare) : m_binCount(binCount)
     {
         // Relative to the largest, neither the sum nor its inverse overflows.
         double largest = 0.0;
@@ -289,7 +289,7 @@ bool isPlacement(const T* splits, int layerCount)
 }
 
 template <typename T>
-OptimalResult<T> placeOptimally(const double* weights, int binCount, T* splits, int layerCount,
+OptimalResult<T> placeOptimally(const double (&weights)[kMaxOptimalBins], int binCount, T* splits, int layerCount,
                                 const OptimalOptions<T>& options)
 {
     const CellCosts costs(weights, binCount, clamp(static_cast<double>(options.uniformShare), 0.0, 1.0));

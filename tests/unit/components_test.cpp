@@ -451,6 +451,26 @@ TEST_CASE("simplifyMixture sees the whole where no pair shows it: rough taps at 
     CHECK(mixture.components[1].weight == 0.0);
 }
 
+TEST_CASE("a whole of which no pair is one surface is one where that costs less than 1e-4")
+{
+    for (const double price : {0.75e-4, 1.5e-4})
+    {
+        // Rough taps at the corners of a steep plane, each off it by bend: merged they deviate by that as well.
+        const double before = std::sqrt(1.0e-4 + 1.0e-8);
+        const double bend = std::sqrt((before + price) * (before + price) - before * before);
+        Mixture<double> mixture{};
+        for (int i = 0; i < 4; ++i)
+        {
+            const double x = i % 2 == 0 ? 1.0 : -1.0;
+            const double y = i / 2 == 0 ? 1.0 : -1.0;
+            mixture.components[i] = tap(0.25, x, y, 0.5 + 0.03 * x + bend * x * y);
+            mixture.components[i].variance = 1.0e-4;
+        }
+        simplifyMixture(mixture, 4);
+        CHECK((mixture.components[0].weight == 1.0) == (price < 1.0e-4));
+    }
+}
+
 TEST_CASE("taps and slopes end where their ranges do")
 {
     CHECK(

@@ -726,6 +726,36 @@ TEST_CASE_TEMPLATE("all of a wide image is read, and nothing beyond it", T, floa
     }
 }
 
+TEST_CASE_TEMPLATE("the first cluster reaches to depth 0 where teleportation judges it, too", T, float, double)
+{
+    // A peak weighs as its square. The first split moves to the mean of .2 and .6, .56, and the second to .63: now .6 is
+    // the second's, and .2, nearer to 0 than to the first split, all that the first has.
+    const Image<T> image = stripes<T>({T(0.2), T(0.6), T(0.63)});
+    RelaxOptions<T> options;
+    options.keepSplits = true;
+    options.maxIterations = 1;
+    std::vector<T> splits{0, T(0.5), T(0.75), 1};
+    image.relax(splits, options);
+    CHECK(splits[1] == doctest::Approx(0.56));
+    CHECK(splits[2] == doctest::Approx(0.63));
+}
+
+TEST_CASE_TEMPLATE("nothing in front of the splits or behind them is read or written", T, float, double)
+{
+    Random random(47);
+    const Image<T> image = randomImage<T>(random, 40, 30);
+    for (int layers = 1; layers <= 8; ++layers)
+    {
+        std::vector<T> alone = emptySplits<T>(layers);
+        image.relax(alone);
+        std::vector<T> between(alone.size() + 2, T(9));
+        lloydRelax(image.depths.data(), image.width, image.height, between.data() + 1, layers);
+        CHECK(between.front() == T(9));
+        CHECK(between.back() == T(9));
+        CHECK(std::equal(alone.begin(), alone.end(), between.begin() + 1));
+    }
+}
+
 TEST_CASE_TEMPLATE("occluders count at both ends of the depth range", T, float, double)
 {
     RelaxOptions<T> options;

@@ -81,6 +81,9 @@ TEST_CASE("encodeMixture2 lays its fields out as its comment says, heaviest firs
     }
     CHECK(std::abs(static_cast<double>(code.x) / 4194304.0 - 256.0) <= 0.5);
     CHECK(std::abs(static_cast<double>(code.y) / 4194304.0 - 768.0) <= 0.5);
+    const MixturePlanes<double> planes = decodeMixture2(code, 1.0);
+    CHECK(planes.planes[0].deviation == kLeastDeviation<double>);
+    CHECK(planes.planes[1].deviation == 208.0 * kLeastDeviation<double>);
 }
 
 TEST_CASE("encodeMixture4 lays its fields out as its comment says, heaviest first")
@@ -103,6 +106,9 @@ TEST_CASE("encodeMixture4 lays its fields out as its comment says, heaviest firs
     CHECK(field(code.x, 6, 3) == 6u);
     CHECK(field(code.x, 3, 3) == 0u);
     CHECK(field(code.x, 0, 3) == 0u);
+    const double coded[] = {128.0, 64.0, 1.0, 1.0};
+    for (int i = 0; i < 4; ++i)
+        CHECK(decodeMixture4(code, 1.0).planes[i].deviation == coded[i] * kLeastDeviation<double>);
     // 0.3 of 1/2, 0.2 of 1/3 and 0.1 of 1/4: 9, 9 and 6 of 15.
     CHECK(field(code.y, 8, 4) == 9u);
     CHECK(field(code.z, 8, 4) == 9u);
@@ -239,10 +245,19 @@ TEST_CASE("the heaviest plane takes what the others leave of share and place")
         CHECK(whole.planes[i].weight == 0.0);
     // More than a window has leaves nothing.
     CHECK(decodeMixture4(Code4(0u, ~0u, ~0u, ~0u), 1.0).planes[0].weight == 0.0);
-    // Places end at 16 levels.
-    const MixturePlanes<double> far = decodeMixture2(encodeMixture2(splitWindow(0.25, {9.0, -9.0}), 1.0), 1.0);
-    CHECK(far.planes[1].place.x - far.planes[0].place.x == doctest::Approx(0.3 * 7.03125));
-    CHECK(far.planes[1].place.y - far.planes[0].place.y == doctest::Approx(0.3 * -7.5));
+    // Places end at 16 levels either way, and the share beside them is what it is: 7.5 of 15 levels to 1/2, rounded up.
+    for (const double end : {9.0, -9.0})
+    {
+        const MixturePlanes<double> far = decodeMixture2(encodeMixture2(splitWindow(0.25, {end, -end}), 1.0), 1.0);
+        const Vec2<double> apart = far.planes[1].place - far.planes[0].place;
+        // Along x the field below adds its fraction.
+        CHECK(apart.x == doctest::Approx(end > 0.0 ? 0.3 * (15 - 7.96875) : 0.3 * (15.0 / 16 - 7.96875)));
+        CHECK(apart.y == doctest::Approx(end > 0.0 ? 0.3 * -7.5 : 0.3 * 7.5));
+        CHECK(far.planes[1].weight == doctest::Approx(8.0 / 30));
+    }
+    // What is there at all has a level of share.
+    CHECK(decodeMixture2(encodeMixture2(splitWindow(1.0e-4, {0.0, 0.0}), 1.0), 1.0).planes[1].weight ==
+          doctest::Approx(1.0 / 30));
 }
 
 TEST_CASE("mixtureVisibility is the mean of planeLight by planeWeight, but for what a slope's rounding may be off")
@@ -519,6 +534,10 @@ TEST_CASE("a mixture that matters is dark and light where its surfaces say so, a
     for (const auto& [depth, lit] :
          {std::pair{0.05, 1.0}, std::pair{0.2, 0.8}, std::pair{0.5, 0.5}, std::pair{0.8, 0.0}})
         CHECK(mixtureVisibility4(code, still, depth, still, 1.0, 0.0) == doctest::Approx(lit).epsilon(1e-9));
+    // A bias of any size up to 1 counts.
+    for (const auto& [bias, lit] :
+         {std::pair{0.45, 0.5}, std::pair{0.65, 0.8}, std::pair{0.95, 1.0}, std::pair{9.0, 1.0}})
+        CHECK(mixtureVisibility4(code, still, 1.0, still, 1.0, bias) == doctest::Approx(lit).epsilon(1e-9));
 }
 
 TEST_CASE_TEMPLATE("any bits are a code, and any numbers a receiver, NaN and infinity too", T, float, double)

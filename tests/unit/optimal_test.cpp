@@ -544,6 +544,37 @@ TEST_CASE("options outside their ranges count as the ends of these")
     CHECK(placed(0) != placed(1));
 }
 
+TEST_CASE("the largest weight is the largest, in whichever bin it is")
+{
+    for (const int bin : {0, 3, 7})
+    {
+        double one[8] = {};
+        double beside[8] = {};
+        one[bin] = beside[bin] = 1.0e300;
+        beside[(bin + 1) % 8] = 1.0e-300;
+        double expected[4], splits[4];
+        const auto alone = optimalSplitsHistogram(one, 8, expected, 3);
+        const auto both = optimalSplitsHistogram(beside, 8, splits, 3);
+        CHECK(alone.distortion > 0.0);
+        CHECK(both.distortion == alone.distortion);
+        for (int k = 0; k <= 3; ++k)
+            CHECK(splits[k] == expected[k]);
+    }
+}
+
+TEST_CASE("a previous split in the first half of the first bin parts nothing off")
+{
+    const double weights[] = {1, 0, 0, 0, 0, 0, 0, 1};
+    OptimalOptions<double> options;
+    options.leastGain = 1.0 - 1.0e-9;
+    // What one layer costs: .7 of the weight 7/16 from the middle, and .3 of it uniform.
+    const double mixed = 0.7 * 49 / 256 + 0.3 * 63 / 12 / 64;
+    double splits[] = {0, 0.4 / 8, 1};
+    const auto kept = optimalSplitsHistogram(weights, 8, splits, 2, options);
+    CHECK(kept.status == OptimalStatus::Kept);
+    CHECK(kept.distortion == doctest::Approx(mixed));
+}
+
 TEST_CASE("splits that cannot be bettered are kept, with their own distortion")
 {
     OptimalOptions<double> options;
