@@ -4,7 +4,8 @@
     contributing_test.py [STEP]; without it, lists the steps
 
 Passes when check.py finds nothing wrong with all steps done, and with the step left out a fault that names the file or
-word that is missing. `everything` leaves out none. The cost is not among them: cost/has_not_grown says what it lacks.
+word that is missing. `everything` leaves out none. The cost and the mutations are not among them: cost/has_not_grown and
+mutation/lists say what they lack.
 """
 import pathlib
 import shutil

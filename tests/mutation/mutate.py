@@ -125,7 +125,7 @@ def try_mutant(program, number, steps, seconds):
 
 
 def check(found, lost):
-    """The lists' lines that no longer match the sources, and what has not been recorded."""
+    """The lists' lines that no longer match the sources."""
     known = {mutant.key for mutants in found.values() for mutant in mutants}
     errors = [f"named.txt: no such line any more: {key}" for key in lost]
     for key, reason in listed(HERE / "survivors.txt").items():
@@ -133,17 +133,26 @@ def check(found, lost):
             errors.append(f"survivors.txt: no such mutant any more: {key}")
         if not reason:
             errors.append(f"survivors.txt: no reason above: {key}")
-    return errors + unrecorded(set(found) - set(NO_TOPIC))
+    return errors
 
 
-def unrecorded(topics):
-    """What docs/mutations.md lacks: a header without its row, a row without its header, more than one survivor in a
-    hundred without a reason."""
-    rows = json.loads((HERE / "recorded.json").read_text())["topics"]
+def unrecorded(found):
+    """What docs/mutations.md lacks: a header without its row, a row without its header or of other mutants than it has
+    now, a named change without its test, more than one survivor in a hundred without a reason."""
+    recorded = json.loads((HERE / "recorded.json").read_text())
+    rows, topics = recorded["topics"], set(found)
     errors = [f"recorded.json: {topic}.hpp has not been run: tests/mutation/mutate.py --topic {topic} --record"
               for topic in sorted(topics - set(rows))]
     errors += [f"recorded.json: no header is named {topic}.hpp any more" for topic in sorted(set(rows) - topics)]
     reasons = listed(HERE / "survivors.txt")
+    for topic in sorted(topics & set(rows)):
+        row, keys = rows[topic], {mutant.key for mutant in found[topic]}
+        ran = row["killed"] + row["broken"] + len(row["survivors"])
+        if ran != len(keys) or set(row["survivors"]) - keys:
+            errors.append(f"recorded.json: {topic}.hpp has {len(keys)} mutants, of which {ran} or others were run: "
+                          f"tests/mutation/mutate.py --topic {topic} --record")
+    errors += [f"recorded.json: no test fails for {key}: tests/mutation/mutate.py --named --record"
+               for key in listed(HERE / "named.txt") if not recorded["named"].get(key)]
     bare = [key for row in rows.values() for key in row["survivors"] if key not in reasons]
     count = sum(row["killed"] + row["broken"] + len(row["survivors"]) for row in rows.values())
     if 100 * len(bare) > count:
@@ -245,6 +254,8 @@ def main():
     options = arguments()
     found, lost = all_mutants()
     errors = check(found, lost)
+    if options.check:
+        errors += unrecorded({topic: mutants for topic, mutants in found.items() if topic not in NO_TOPIC})
     for error in errors:
         print(error)
     if options.check:
