@@ -20,6 +20,7 @@ CLIENTS = {
     "opengl_300_es": ("fragment shader of ES 3.00", f"paste `lvsm_all.glsl`, {PRECISION}"),
     "opengl_310_es": ("fragment shader of ES 3.10", f"paste `lvsm_all.glsl`, {PRECISION}"),
     "three": ("`RawShaderMaterial`", "`THREE.ShaderChunk.lvsm` is `lvsm_all.glsl`; `#include <lvsm>`, `glslVersion: THREE.GLSL3`"),
+    "three_webgpu": ("`WebGPURenderer`, compute", "`code(text of lvsm_all.wgsl, [], \"wgsl\")` among the includes of a `wgslFn`"),
     "webgpu": ("compute shader, by Tint", "paste `lvsm_all.wgsl`"),
     "wgpu": ("compute shader, by naga", "paste `lvsm_all.wgsl`"),
     "naga": ("compute shader of 4.50, by naga", "`#define LVSM_PRECISE`, which naga does not know, then `lvsm_all.glsl`"),
