@@ -66,7 +66,8 @@ const folder = mkdtempSync(join(tmpdir(), "lvsm-copied-"));
 
 // Beside the defaults, what changes the text: formats, and layers beyond the eight of the library's setting.
 const TRIALS = ["basic", "pcf", "vsm&left.reduction=0.2&left.minVariance=0", "lvsm", "bracketed", "bracketed&left.format=unorm8",
-                "plane&left.layers=16", "evsm2", "evsm4", "esm", "msm4", "trigonometric", "csm&left.order=16", "layers4"];
+                "plane&left.layers=16", "evsm2", "evsm4", "esm", "msm4", "quantised", "trigonometric", "csm&left.order=16",
+                "layers4"];
 cases["every technique, in both languages, with its constants"] = async (viewer) => {
     const names = await viewer.tab.locator("#left option").evaluateAll((options) => options.map(({value}) => value));
     assert.deepEqual(new Set(TRIALS.map((trial) => trial.split("&")[0])), new Set(names.filter((name) => name !== "exact")));

@@ -1,4 +1,4 @@
-// The viewer in a tab, opened from disk, for the tests of this folder.
+// The viewer in a tab, opened from disk or from a server, for the tests of this folder.
 import assert from "node:assert/strict";
 import {existsSync} from "node:fs";
 import {pathToFileURL} from "node:url";
@@ -6,7 +6,7 @@ import {withTab} from "../clients/browser.mjs";
 
 export class Viewer {
     constructor(tab, path, said) {
-        Object.assign(this, {tab, said, url: pathToFileURL(path).href});
+        Object.assign(this, {tab, said, url: path.startsWith("http:") ? path : pathToFileURL(path).href});
     }
 
     // Opens an address anew, and waits for its picture and error.
@@ -94,7 +94,7 @@ export class Viewer {
 // Runs the cases {name: async (viewer) => ...} one after the other in one tab, and says of each whether it passed. A word
 // on the console fails the case in which it was said. Page is what the cases get, made of tab, path and the words.
 export async function runCases(path, options, cases, Page = Viewer) {
-    if (!existsSync(path)) {
+    if (!path.startsWith("http:") && !existsSync(path)) {
         console.log(`skipped: no ${path}`);
         process.exit(77);
     }

@@ -78,7 +78,7 @@ const BOUNDS = ["vsm", "lvsm", "bracketed", "layers4", "evsm2", "evsm4", "msm4",
 
 cases["every technique draws, and errs less than VSM where that bleeds"] = async (viewer) => {
     const names = await viewer.tab.locator("#right option").evaluateAll((options) => options.map(({value}) => value));
-    assert.ok(names.length >= 13, names.join());
+    assert.ok(names.length >= 14, names.join());
     for (const technique of names) {
         await viewer.go(`#right=${technique}&view=visibility&divider=0`);
         const [vsm, figures] = [await viewer.figures("left"), await viewer.figures("right")];
@@ -120,6 +120,27 @@ cases["six faces of a point light, and levels of a map"] = async (viewer) => {
     }
     console.log(`     bracketed: ${plain.toFixed(4)}, with levels ${levels[1].toFixed(4)}, anisotropic ${levels[16].toFixed(4)}`);
     assert.ok(plain < levels[16] && levels[16] < levels[1] && levels[1] < 0.1, JSON.stringify([plain, levels]));
+};
+
+cases["leaves are cut out of their cards, and a large scene draws"] = async (viewer) => {
+    await viewer.go("#scene=foliage&left=exact&right=vsm&view=visibility&divider=1&size=512");
+    const lightOf = async () => (await viewer.greys()).reduce((sum, grey, _, {length}) => sum + grey / length, 0);
+    const cut = await lightOf();
+    await viewer.tab.evaluate(() => {
+        const {picture, loop} = window.lvsmViewer;
+        picture.scene.children.forEach((mesh) => mesh.userData.cutoff = 0);
+        loop.invalidate();
+    });
+    await viewer.settled();
+    const whole = await lightOf();
+    console.log(`     foliage: mean grey ${cut.toFixed(1)} with the leaves cut out, ${whole.toFixed(1)} with whole cards`);
+    assert.ok(cut > whole + 5, `${cut}, ${whole}`);
+    await viewer.go("#scene=yard&left=vsm&right=bracketed&size=512&taps=5");
+    const triangles = await viewer.tab.evaluate(() => window.lvsmViewer.picture.scene.children.reduce(
+        (sum, {geometry}) => sum + geometry.getAttribute("position").count / 3, 0));
+    const [vsm, {rmse}] = [await viewer.figures("left"), await viewer.figures("right")];
+    console.log(`     yard: ${triangles} triangles, bracketed ${rmse.toFixed(4)}, VSM ${vsm.rmse.toFixed(4)}`);
+    assert.ok(Math.abs(triangles - 300000) < 3000 && rmse > 0 && rmse < vsm.rmse, `${triangles}, ${rmse}, ${vsm.rmse}`);
 };
 
 cases["every view shows something of its own"] = async (viewer) => {

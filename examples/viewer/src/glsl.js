@@ -18,6 +18,8 @@ export function uniformDeclarations(constants) {
     return constants.map(([type, name]) => `uniform ${TYPES[type] ?? type} ${name}${suffix(type)};\n`).join("");
 }
 
+export const codeText = (technique) => TECHNIQUES[technique].coded ?? "";
+
 export const storeText = (technique) => TECHNIQUES[technique].store;
 
 export function judgeText(technique) {
@@ -66,13 +68,15 @@ export function pasteable(technique, side, frame, language, header) {
     const isHlsl = language === "HLSL";
     const maxLayers = maxLayersFor(side, technique);
     const constants = constantsOf(technique, side, frame).map((row) => constantText(row, maxLayers, isHlsl)).join("");
-    const text = `${constants}\n${storeText(technique)}\n${judgeText(technique)}`;
+    const text = `${constants}\n${storeText(technique)}\n${codeText(technique)}${judgeText(technique)}`;
     const file = isHlsl ? "lvsm_separate.hlsli" : "lvsm_combined.glsl";
     const define = maxLayers > 8 ? `, and in front of that #define LVSM_MAX_LAYERS ${maxLayers}` : "";
     const lines = [...header, `Paste ${file} in front of this${define}.`,
                    "store: a slice's texel for a depth in [0,1]. visibility: where, such as lvsm_mapPoint(uv, dFdx(uv),",
                    "dFdy(uv), 0) or lvsm_cubePoint; the receiver's depth, and its gradient per texel from",
                    "lvsm_receiverGradient."];
+    if (TECHNIQUES[technique].coded)
+        lines.push("code: what is written of store's texels once they are filtered in floats; the map is read without a filter.");
     const comment = lines.map((line) => `// ${line}\n`).join("");
     return `${comment}${isHlsl ? toHlsl(text) : text}`;
 }

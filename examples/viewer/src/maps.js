@@ -5,10 +5,10 @@ import store from "lvsm/shaders/lvsm_store.frag";
 import blur from "lvsm/shaders/lvsm_blur.frag";
 import mip from "lvsm/shaders/lvsm_mip.frag";
 import {largestOf, FORMATS, textureOptions} from "./formats.js";
-import {constantsOf, maxLayersFor, storeText, uniformDeclarations, withoutVersion} from "./glsl.js";
+import {codeText, constantsOf, maxLayersFor, storeText, uniformDeclarations, withoutVersion} from "./glsl.js";
 import {blurBlock, fetchesOf, mipBlock, storeBlock} from "./kernel.js";
 import {uniformsOf} from "./passes.js";
-import {sliceCount, TECHNIQUES} from "./techniques.js";
+import {formatOfMap, sliceCount, TECHNIQUES} from "./techniques.js";
 
 const STORE = withoutVersion(store);
 const BLUR = withoutVersion(blur);
@@ -34,7 +34,7 @@ export class MapMaker {
         const constants = constantsOf(technique, side, frame);
         const fragment = `#include <lvsm>\n${uniformDeclarations(constants)}${storeText(technique)}
             #define LVSM_STORE(depth, slice) store(depth, slice)
-            #define LVSM_STORE_LARGEST float(${largestOf(side.format)})\n${STORE}`;
+            #define LVSM_STORE_LARGEST float(${largestOf(formatOfMap(TECHNIQUES[technique], side))})\n${STORE}`;
         const uniforms = uniformsOf(Object.fromEntries(valuesOf(technique, side, frame)));
         return this.passes.material(fragment, {...uniforms, lvsm_depths: {value: depths}},
                                     {defines: {LVSM_MAX_LAYERS: maxLayersFor(side, technique)}});
@@ -64,15 +64,14 @@ export class MapMaker {
     // The map of a side, stored and blurred, and the unblurred one, all slices of a face of the light one after the other.
     // depths: for each face a target of linear depths. frame: what it knows of kernel, splits, mip maps and anisotropy.
     make(name, technique, side, frame, depths) {
-        const {channels, filtered, unfiltered} = TECHNIQUES[technique];
+        const {channels, filtered, unfiltered, coded} = TECHNIQUES[technique];
         const own = sliceCount(TECHNIQUES[technique], side);
         const slices = own * depths.length;
         const size = frame.size;
-        const {normalized} = FORMATS[side.format];
-        const filter = filtered ? THREE.LinearFilter : THREE.NearestFilter;
-        const plain = {width: size, height: size, slices, normalized, ...textureOptions(side.format, channels),
-                       minFilter: filter, magFilter: filter};
-        const hasLevels = filtered && frame.mipmaps;
+        const optionsOf = (format, filter) => ({width: size, height: size, slices, normalized: FORMATS[format].normalized,
+                                                ...textureOptions(format, channels), minFilter: filter, magFilter: filter});
+        const plain = optionsOf(formatOfMap(TECHNIQUES[technique], side), filtered ? THREE.LinearFilter : THREE.NearestFilter);
+        const hasLevels = filtered && !coded && frame.mipmaps;
         const last = hasLevels ? {...plain, levels: Math.log2(size) + 1, minFilter: THREE.LinearMipmapLinearFilter,
                                   anisotropy: frame.anisotropy} : plain;
         const isBlurred = filtered && frame.kernel.taps > 1;
@@ -90,6 +89,11 @@ export class MapMaker {
             const borders = depths.flatMap(() => this.borders(technique, side, frame));
             this.timer.measured(`${name} blur`, () => this.blur(stored, halfway, map, borders, frame));
         }
+        if (coded) {
+            const codes = this.passes.target(`${name}.coded`, optionsOf(side.format, THREE.NearestFilter));
+            this.timer.measured(`${name} code`, () => this.code(map, codes, technique, side, frame, slices));
+            return {map: codes.texture, unfiltered: codes.texture};
+        }
         if (hasLevels)
             this.timer.measured(`${name} levels`, () => this.makeLevels(map, plain, slices));
         return {map: map.texture, unfiltered: unfiltered ? stored.texture : map.texture};
@@ -104,6 +108,20 @@ export class MapMaker {
                 this.passes.drawOver(to, material, {slice: target, block: blurBlock(fetches, size, direction, border, source)});
             }
         });
+    }
+
+    code(from, to, technique, side, frame, slices) {
+        const fragment = `#include <lvsm>\n${uniformDeclarations(constantsOf(technique, side, frame))}${codeText(technique)}
+            uniform highp sampler2DArray moments;
+            uniform int slice;
+            layout(location = 0) out vec4 result;
+            void main() { result = code(texelFetch(moments, ivec3(gl_FragCoord.xy, slice), 0)); }`;
+        for (let slice = 0; slice < slices; ++slice) {
+            const values = Object.fromEntries(valuesOf(technique, side, frame));
+            const uniforms = uniformsOf({...values, moments: from.texture, slice});
+            const defines = {LVSM_MAX_LAYERS: maxLayersFor(side, technique)};
+            this.passes.drawOver(to, this.passes.material(fragment, uniforms, {defines}), {slice});
+        }
     }
 
     // Drawn beside the map and copied into it: WebGL does not draw to a texture that it reads.

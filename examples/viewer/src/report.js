@@ -9,8 +9,10 @@ export function describeSide(side, own, figures) {
     const technique = TECHNIQUES[own.technique];
     byId(`${side}-name`).textContent = technique.layered ? `${technique.name}, ${own.layers} layers` : technique.name;
     const said = [];
+    // Codes are of 16 bits, in whichever format this device has for them.
+    const format = technique.coded ? "unorm16" : own.format;
     if (!technique.exact)
-        said.push(`${bitsOf(own.format, technique.channels, sliceCount(technique, own))} bits`);
+        said.push(`${bitsOf(format, technique.channels, sliceCount(technique, own))} bits`);
     if (!technique.exact && figures)
         said.push(`RMSE ${figures.rmse.toFixed(4)}`);
     byId(`${side}-figures`).textContent = said.join(" · ");

@@ -1,5 +1,6 @@
 // The scenes, those of the gallery with its cameras and lights first. A scene is a list of meshes, where the camera
 // stands, what the lights must cover (focus), and the way the directional light travels.
+import {makeCards} from "./foliage.js";
 import {MeshBuilder, unit} from "./mesh.js";
 import {addTree} from "./tree.js";
 
@@ -71,7 +72,37 @@ function slope(builder) {
     builder.addBox([-1.2, 3.2, -3.5], [1.2, 3.26, 2.5], [0.30, 0.45, 0.62]);
 }
 
-// Each: what the list shows, a sentence, what fills the mesh, camera, focus, light.
+// A bush of leaves on cards over a table, and its stem.
+function bush(builder) {
+    builder.addBar([0, 0, 0], [0, 1.5, 0], 0.06, 0.03, WOOD);
+    builder.addBox([0.5, 0.42, -0.5], [1.6, 0.48, 0.5], [0.75, 0.55, 0.35]);
+    for (const x of [0.58, 1.46])
+        builder.addBox([x, 0, -0.4], [x + 0.06, 0.42, 0.4], [0.75, 0.55, 0.35]);
+    const random = numbers(3);
+    return [makeCards(() => random.next().value, [0, 1.7, 0], 0.75, 0.62, 90)];
+}
+
+// A walled yard with trees and a lawn of single blades: about 300 000 triangles.
+const BLADES = 103000;
+function yard(builder) {
+    const random = numbers(5);
+    const next = () => random.next().value;
+    for (const [x, z, wide, deep] of [[0, -5, 5.2, 0.15], [-5, 0, 0.15, 5], [5, 0, 0.15, 5]])
+        builder.addBox([x - wide, 0, z - deep], [x + wide, 1.2, z + deep], BRICK);
+    for (let tree = 0; tree < 8; ++tree)
+        addTree(builder, [-3.6 + 2.4 * (tree % 4), 0, tree < 4 ? -3.2 : 0.4 + 0.5 * (tree % 2)], 20 + tree);
+    for (let blade = 0; blade < BLADES; ++blade) {
+        const [x, z, turn] = [9.4 * next() - 4.7, 9 * next() - 4.6, 2 * Math.PI * next()];
+        const [lean, high] = [0.05 * next(), 0.06 + 0.1 * next()];
+        const [across, down] = [0.008 * Math.cos(turn), 0.008 * Math.sin(turn)];
+        const shade = 0.7 + 0.6 * next();
+        const [a, b] = [[x - across, 0, z - down], [x + across, 0, z + down]];
+        builder.addQuad(a, b, [x + 0.5 * across + lean, high, z + 0.5 * down], [x - 0.5 * across + lean, high, z - 0.5 * down],
+                        [0.3 * shade, 0.45 * shade, 0.18 * shade]);
+    }
+}
+
+// Each: what the list shows, a sentence, what fills the mesh (and gives others), camera, focus, light.
 export const SCENES = {
     bench: {
         title: "A tree over a bench",
@@ -113,14 +144,30 @@ export const SCENES = {
         focus: {low: [-1.7, 0, -4.1], high: [1.7, 3.3, 3.1]},
         light: [0.1, -0.75, -0.66],
     },
+    foliage: {
+        title: "Leaves on cards",
+        line: "Alpha-tested leaves over a table: holes of every size, and depths all through the bush.",
+        fill: bush,
+        camera: {eye: [3.0, 2.6, 5.6], target: [0.2, 1.15, 0], fieldOfView: 33},
+        focus: {low: [-1.3, 0, -1.3], high: [1.9, 2.9, 1.3]},
+        light: [0.35, -1, 0.25],
+    },
+    yard: {
+        title: "A yard of 300 000 triangles",
+        line: "Eight trees over a lawn of single blades between walls: how fast a map is made, not how it is filtered.",
+        fill: yard,
+        camera: {eye: [3.2, 5.6, 11.0], target: [0, 1.6, -0.8], fieldOfView: 40},
+        focus: {low: [-5.2, 0, -5.2], high: [5.2, 5.5, 5]},
+        light: [0.45, -1, -0.35],
+    },
 };
 
 export function makeScene(id) {
     const {title, fill, camera, focus, light} = SCENES[id];
     const builder = new MeshBuilder();
     builder.addGround(GROUND_HALF_WIDTH, GROUND);
-    fill(builder);
-    return {id, title, meshes: [builder.mesh()], camera, focus, lightDirection: unit(light)};
+    const others = fill(builder) ?? [];
+    return {id, title, meshes: [builder.mesh(), ...others], camera, focus, lightDirection: unit(light)};
 }
 
 // A model that the user has given, fitted to a cube of about 1.3 on the ground: meshes in its own units and box.

@@ -43,8 +43,9 @@ export class State extends EventTarget {
 
     // The formats that a technique can have here, the recommended one first.
     formats(technique) {
-        const {formats, filtered} = TECHNIQUES[technique];
-        return formats.filter((format) => !filtered || this.context.device().formats.has(format));
+        const {formats, filtered, coded} = TECHNIQUES[technique];
+        const has = (format) => this.context.device().formats.has(format);
+        return formats.filter((format) => !filtered || has(format) && (!coded || has("fp32")));
     }
 
     isThere(technique) {

@@ -6,6 +6,7 @@
 //   slices      of the map, for the side's settings
 //   constants   [type, name, value] of what the GLSL names, for the side's settings and what the frame knows
 //   store       vec4 store(float depth, int slice): what a slice holds for a depth
+//   coded       vec4 code(vec4 filtered): what is written of the map once it is filtered, in floats; no hardware filters it
 //   judge       the rest: float visibility(...), see MAP
 //   stored      mean and spread of the stored depths, for the views: vec2 stored(MAP map, lvsm_MapPoint at, float depth)
 import {depthErrorOf} from "./formats.js";
@@ -145,6 +146,28 @@ export const TECHNIQUES = {
     vec4 moments = lvsm_sampleFourMoments(map, at, 0, encoded);
     return vec2(0.5 + 0.5 * moments.x, 0.5 * sqrt(max(moments.y - moments.x * moments.x, 0.0)));`,
     },
+    quantised: {
+        name: "Quantised moments",
+        line: "Four moments filtered in floats, then coded in 64 bits; four codes are judged for each pixel.",
+        source: "Peters 2017",
+        formats: ["unorm16", "fp32"], channels: 4, filtered: true,
+        settings: {momentBias: 3e-7, reduction: 0, shift: SHIFT},
+        constants: [["float", "bias", (side) => side.momentBias], ...REDUCED, ...SHIFTED],
+        store: "vec4 store(float depth, int slice)\n{\n    return lvsm_depthMoments4(depth);\n}\n",
+        // Rounded as 16 bits round, so that the 32-bit format shows the same.
+        coded: `vec4 code(vec4 filtered)
+{
+    return floor(65535.0 * lvsm_quantiseMoments4(filtered, bias) + 0.5) / 65535.0;
+}
+`,
+        judge: `
+    float receiver = lvsm_shiftReceiver(depth, gradient, shift);
+    return lvsm_reduceLightBleeding(lvsm_sampleQuantised4(map, at, receiver), amount);`,
+        stored: `
+    vec4 nearest = lvsm_fetchSlice(map, at, 0, floor(at.uv * lvsm_mapArraySize(map)));
+    float extent = nearest.y - nearest.x;
+    return vec2(nearest.x + nearest.z * extent, extent * sqrt(nearest.z * (1.0 - nearest.z)));`,
+    },
     trigonometric: {
         name: "Trigonometric moments",
         line: "Four moments on an arc, on a par with MSM4 in as many bits.",
@@ -195,5 +218,8 @@ export const TECHNIQUES = {
         exact: true, settings: {}, formats: [],
     },
 };
+
+// What a map is stored and filtered in before it is coded, if it is.
+export const formatOfMap = (technique, side) => (technique.coded ? "fp32" : side.format);
 
 export const sliceCount = (technique, side) => technique.slices?.(side) ?? 1;
