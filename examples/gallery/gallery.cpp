@@ -17,6 +17,9 @@ namespace
 {
 
 constexpr float kAspect = 1.5f;
+// The technique that is shown while the light moves, over so large an angle.
+const char* const kMoved = "lvsm4";
+constexpr float kSweep = 1.2f;
 
 View viewOf(const Camera& camera)
 {
@@ -38,12 +41,23 @@ std::vector<const Technique*> chosen(const GalleryOptions& options)
     return result;
 }
 
+int frameCount(const GalleryOptions& options)
+{
+    return options.full ? 16 : 5;
+}
+
 std::size_t stepsOf(const std::vector<Scene>& scenes, const GalleryOptions& options)
 {
-    std::size_t lights = 0;
+    const std::vector<const Technique*> shown = chosen(options);
+    const bool isMoved =
+        std::any_of(shown.begin(), shown.end(), [](const Technique* technique) { return technique->id == kMoved; });
+    std::size_t steps = 0;
     for (const Scene& scene : scenes)
-        lights += makeLights(scene, options.mapSize, options.full).size();
-    return lights * (chosen(options).size() + 1);
+    {
+        steps += makeLights(scene, options.mapSize, options.full).size() * (shown.size() + 1);
+        steps += scene.isTurned && isMoved ? static_cast<std::size_t>(frameCount(options)) : 0;
+    }
+    return steps;
 }
 
 class Renderer
@@ -68,7 +82,11 @@ public:
                               support::readTexels<glm::vec4>(m_gpu, surface.shadingNormals()),
                               support::readTexels<glm::vec4>(m_gpu, surface.colours())};
         for (const Light& light : makeLights(scene, m_options.mapSize, m_options.full))
+        {
             sections.push_back(renderLight(scene, light, vertices, surface, picture));
+            if (scene.isTurned && light.id == "directional")
+                renderFrames(sections.back(), vertices, surface, picture);
+        }
     }
 
 private:
@@ -132,6 +150,35 @@ private:
             writeLayers(path(row.layers), subject.picture, truth, visibility);
         }
         return row;
+    }
+
+    // The light as it moves, with four layers that the device relaxes anew for each frame.
+    void renderFrames(Section& section, const Buffer& vertices, const Surface& surface, const Picture& picture)
+    {
+        const auto layered = std::find_if(m_techniques.begin(), m_techniques.end(),
+                                          [](const Technique* technique) { return technique->id == kMoved; });
+        if (layered == m_techniques.end())
+            return;
+        const TechniqueRunner& runner = *m_runners[static_cast<std::size_t>(layered - m_techniques.begin())];
+        const Scene& scene = *section.scene;
+        const int count = frameCount(m_options);
+        for (int i = 0; i < count; ++i)
+        {
+            const float angle = kSweep * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f);
+            const Light light = makeTurnedLight(scene, m_options.mapSize, angle);
+            const Buffer lightBlock = support::makeBufferOf(m_gpu, std::vector{light.block});
+            const LightDepths depths = m_reader.read(m_shadowPass.draw(vertices, light), light);
+            Subject subject{scene, light, picture, surface, lightBlock, depths};
+            const Buffer splits = m_placer.place(**layered, scene, light, depths);
+            const Differences differences = m_placer.compareWithHost((*layered)->layerCount, depths);
+            const std::string name = fileName(subject, "frame" + std::to_string(i));
+            const Truth& truth = truthOf(subject, blurWindow());
+            const auto visibility = runner.run(light, lightBlock, depths, splits, surface);
+            writeShaded(path(name), picture, truth, visibility, light.isSpot());
+            section.frames.push_back({angle, name, readSplits(splits, (*layered)->layerCount), differences.relaxed,
+                                      differences.optimal, differences.optimalIsAsGood});
+            tell(subject, "frame " + std::to_string(i + 1) + " of " + std::to_string(count));
+        }
     }
 
     const Truth& truthOf(Subject& subject, const Window& window) const

@@ -16,6 +16,7 @@ constexpr int kCorners = 8;
 constexpr float kSpotNear = 1.0f;
 constexpr float kLampNear = 0.05f;
 constexpr float kLampReach = 1.6f;
+constexpr float kMostBeyond = 1.5f;
 // A cube's faces overlap by what the blur and the bilinear filter read beyond their edge.
 constexpr int kCubeMargin = 6;
 
@@ -61,8 +62,11 @@ glm::vec2 distanceRange(const Scene& scene, const std::vector<glm::vec3>& others
     };
     for (int i = 0; i < kCorners; ++i)
         include(scene.focus.corner(i));
+    // Ground at the horizon would leave what is in focus a sliver of the range.
+    const float farthest = kMostBeyond * range.y;
     for (const glm::vec3 corner : others)
         include(corner);
+    range.y = std::min(range.y, farthest);
     return range;
 }
 

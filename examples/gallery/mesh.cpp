@@ -45,6 +45,18 @@ void addQuad(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, glm
     addTriangle(mesh, {a, c, d}, {normal, normal, normal}, colour, object);
 }
 
+void addCutOut(Mesh& mesh, glm::vec3 stem, glm::vec3 along, glm::vec3 across, glm::vec3 colour)
+{
+    const std::size_t first = mesh.size();
+    addQuad(mesh, stem - across, stem + 2.0f * along - across, stem + 2.0f * along + across, stem + across, colour);
+    for (std::size_t i = first; i < mesh.size(); ++i)
+    {
+        const glm::vec3 from = mesh[i].position - (stem + along);
+        mesh[i].place = {glm::dot(from, along) / glm::dot(along, along),
+                         glm::dot(from, across) / glm::dot(across, across)};
+    }
+}
+
 void addBox(Mesh& mesh, const Box& box, glm::vec3 colour)
 {
     // Corner numbers of the six sides, seen anticlockwise from outside.

@@ -46,6 +46,9 @@ void addTriangle(Mesh& mesh, const glm::vec3 (&corners)[3], const glm::vec3 (&no
 void addQuad(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, glm::vec3 colour,
              Object object = Object::Other);
 
+/// A leaf that the alpha test cuts out of a rectangle: from its stem twice `along`, and `across` to both sides.
+void addCutOut(Mesh& mesh, glm::vec3 stem, glm::vec3 along, glm::vec3 across, glm::vec3 colour);
+
 void addBox(Mesh& mesh, const Box& box, glm::vec3 colour);
 
 /// A tapering round bar, open at its ends.

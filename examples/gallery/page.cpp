@@ -33,11 +33,27 @@ std::string contents(const std::vector<Section>& sections)
     return html + "<li><a href=\"#papers\">The papers, as numbers</a></li></ul></nav>\n";
 }
 
+// The light as it moves.
+std::string frames(const Section& section)
+{
+    if (section.frames.empty())
+        return "";
+    std::string html = "<h4>While the light moves: four layers, relaxed anew on the device for each frame</h4>\n"
+                       "<div class=\"frames\">\n";
+    for (const Frame& frame : section.frames)
+    {
+        const std::string angle = fixed(static_cast<double>(glm::degrees(frame.angle)), 0) + "&deg;";
+        html += "<figure><img loading=\"lazy\" src=\"" + frame.shaded + "\" alt=\"LVSM-4, the light turned by " +
+                angle + "\"><figcaption>" + angle + "</figcaption></figure>\n";
+    }
+    return html + "</div>\n";
+}
+
 std::string underOneLight(const Section& section)
 {
     return "<article id=\"" + idOf(section) + "\"><h3>" + section.light.title + "</h3>\n" + comparison(section) +
            "<div class=\"charts\">\n" + depthChart(section) + storageChart(section) + costChart(section) + "</div>\n" +
-           figureTable(section) + "</article>\n";
+           figureTable(section) + frames(section) + "</article>\n";
 }
 
 // Lights of one scene come one after the other.

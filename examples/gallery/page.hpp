@@ -22,6 +22,21 @@ struct Row
     std::vector<float> splits;
 };
 
+/// The light as it moves: one frame of it.
+struct Frame
+{
+    /// Of the light about the vertical, in radians.
+    float angle;
+    /// Shaded by the four layers that the device relaxed for it.
+    std::string shaded;
+    /// As the device relaxes them, and how far from the host's those and the optimal ones lie, in depth.
+    std::vector<float> splits;
+    float relaxedDifference;
+    float optimalDifference;
+    /// Whether the optimal ones are as good as the host's, to a float's precision.
+    bool optimalIsAsGood;
+};
+
 struct Section
 {
     const Scene* scene;
@@ -30,6 +45,8 @@ struct Section
     std::vector<Row> rows;
     /// Shares of the shadow map's texels over depth; empty where it is not known.
     std::vector<double> histogram = {};
+    /// Empty for a light that does not move.
+    std::vector<Frame> frames = {};
 };
 
 /// The histogram of a map's depths in [0,1]; texels at 1 are background and left out.
@@ -40,6 +57,8 @@ struct Verdict
 {
     bool holds;
     std::string sentence;
+    /// Whether the gallery fails where it does not hold; else it is a finding.
+    bool isRequired = true;
 };
 
 struct Setup
@@ -51,7 +70,8 @@ struct Setup
 std::string pageText(const std::vector<Section>& sections, const std::vector<Verdict>& verdicts, const Setup& setup);
 std::string reportText(const std::vector<Section>& sections);
 
-/// Whether bleeding is large in VSM and gone in LVSM-4 and EVSM4, where the bench shields the ground.
+/// Whether bleeding is large in VSM and gone in LVSM-4 and EVSM4 where the bench shields the ground, what share of VSM's
+/// error four placed layers leave, whose error is the least, and whether the device's splits follow the host's.
 std::vector<Verdict> judge(const std::vector<Section>& sections);
 
 } // namespace lvsm::gallery

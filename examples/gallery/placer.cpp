@@ -1,6 +1,8 @@
 #include "placer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace lvsm::gallery
 {
@@ -12,6 +14,9 @@ using Type = vk::DescriptorType;
 // Where depths differ by less than a fifth of the range, (1/5)^2 / 4, there is little to bleed. Leaving them out keeps
 // the splits from being drawn into the crown of a tree.
 constexpr float kLeastBleedingVariance = 0.01f;
+
+// Of a sum of floats, as optimalPass promises: what is better by less may as well be missed.
+constexpr float kPrecision = 1.0f / (1 << 20);
 
 std::vector<support::Binding> layout()
 {
@@ -27,6 +32,14 @@ std::vector<float> uniformSplits(int layerCount)
     return splits;
 }
 
+float largestDifference(const std::vector<float>& some, const std::vector<float>& others)
+{
+    float difference = 0.0f;
+    for (std::size_t i = 0; i < some.size(); ++i)
+        difference = std::max(difference, std::abs(some[i] - others[i]));
+    return difference;
+}
+
 std::vector<float> splitsAt(const std::vector<glm::vec3>& points, const Light& light, int layerCount)
 {
     std::vector<float> splits{0.0f};
@@ -38,14 +51,15 @@ std::vector<float> splitsAt(const std::vector<glm::vec3>& points, const Light& l
     return splits;
 }
 
-} // namespace
-
+// What the placement is asked for, on the host as on the device.
 RelaxOptions<float> relaxing()
 {
     RelaxOptions<float> options;
     options.minVariance = kLeastBleedingVariance;
     return options;
 }
+
+} // namespace
 
 Placer::Placer(const VulkanContext& gpu)
     : m_gpu(gpu), m_count(gpu, compilePass("place_histogram.comp", depthMacro()), layout()),
@@ -85,6 +99,37 @@ void Placer::run(const PlacePass& pass, const LightDepths& depths, const Buffer&
         if (face + 1 == depths.faceCount())
             runPass(m_place, bindings, {1, 1, 1});
     }
+}
+
+Differences Placer::compareWithHost(int layerCount, const LightDepths& depths) const
+{
+    const std::vector<float> image = support::readTexels<float>(m_gpu, depths.linear);
+    const Rectangle area = depths.area();
+    const auto optimise = [&](std::vector<float>& splits, float leastGain)
+    {
+        OptimalOptions<float> options;
+        options.maxSamples = 0; // the device reads every texel
+        options.leastGain = leastGain;
+        return optimalSplits(image.data(), area.width, area.height, splits.data(), layerCount, options);
+    };
+    std::vector<float> relaxed = uniformSplits(layerCount);
+    std::vector<float> optimal = relaxed;
+    if (!lloydRelax(image.data(), area.width, area.height, relaxed.data(), layerCount, relaxing()) ||
+        !optimise(optimal, 0.0f))
+        throw std::runtime_error("the host cannot place layers for this map");
+    std::vector<float> placed = placedBy(optimalPass(layerCount, area), depths);
+    const float optimalDifference = largestDifference(placed, optimal);
+    return {largestDifference(placedBy(relaxPass(layerCount, area, relaxing()), depths), relaxed), optimalDifference,
+            optimise(placed, kPrecision).status == OptimalStatus::Kept};
+}
+
+std::vector<float> Placer::placedBy(const PlacePass& pass, const LightDepths& depths) const
+{
+    const int layerCount = pass.block.layerCount;
+    const Buffer splits = support::makeBufferOf(
+        m_gpu, std::vector{storePass(uniformSplits(layerCount).data(), layerCount, 0.0f, depths.area()).block});
+    run(pass, depths, splits);
+    return readSplits(splits, layerCount);
 }
 
 std::vector<float> readSplits(const Buffer& storeBlock, int layerCount)

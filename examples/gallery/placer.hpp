@@ -12,8 +12,14 @@
 namespace lvsm::gallery
 {
 
-/// What the placement is asked for, on the host as on the device.
-RelaxOptions<float> relaxing();
+/// The largest distance between the device's splits and the host's, in depth.
+struct Differences
+{
+    float relaxed;
+    float optimal;
+    /// Whether the host finds no splits that are better than the device's optimal ones by more than a float's precision.
+    bool optimalIsAsGood;
+};
 
 /// Splits of layers on the device.
 class Placer
@@ -24,10 +30,14 @@ public:
     /// The block that store and shading read, with its splits where the technique has them for this light.
     Buffer place(const Technique& technique, const Scene& scene, const Light& light, const LightDepths& depths) const;
 
-    /// Runs one placement over all faces; the buffer is one of StoreBlock.
-    void run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits) const;
+    /// Both placements on the device, against lloydRelax and optimalSplits; throws where these refuse the map.
+    Differences compareWithHost(int layerCount, const LightDepths& depths) const;
 
 private:
+    /// Runs one placement over all faces; the buffer is one of StoreBlock.
+    void run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits) const;
+    std::vector<float> placedBy(const PlacePass& pass, const LightDepths& depths) const;
+
     const VulkanContext& m_gpu;
     Kernel m_count;
     Kernel m_place;

@@ -52,7 +52,14 @@ struct Scene
     glm::vec3 lamp{0.0f};
     /// Where a person would part three of four layers.
     std::vector<glm::vec3> cuts;
+    /// Whether the directional light is also shown as it moves.
+    bool isTurned = false;
 };
+
+constexpr float kGroundHalfWidth = 40.0f;
+constexpr glm::vec3 kGroundColour{0.62f, 0.60f, 0.56f};
+
+// Each in a file of its own, in the folder scenes.
 
 /// The paper's figure 2: plane A over plane B over the ground C.
 Scene makePlanes();
@@ -60,8 +67,20 @@ Scene makePlanes();
 /// The paper's figure 3: a tree, grown from a seed, over a bench over the ground.
 Scene makeBench(unsigned treeSeed);
 
-/// A model on the ground behind a fence.
-Scene makeFence(const Mesh& model, const std::string& modelName);
+/// Blocks over blocks, some very far above.
+Scene makeBlocks();
+
+/// More than 300,000 triangles.
+Scene makeYard();
+
+/// Leaves of an alpha test.
+Scene makeFoliage();
+
+/// A long ramp under a low light.
+Scene makeSlope();
+
+/// The user's model on the ground.
+Scene makeUserModel(const Mesh& model, const std::string& name);
 
 } // namespace lvsm::gallery
 

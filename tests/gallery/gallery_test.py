@@ -10,7 +10,8 @@ import tempfile
 
 NO_DEVICE = 77
 SECTIONS = [("bench", "spot"), ("bench", "directional"), ("planes", "directional"), ("planes", "point"),
-            ("fence", "directional")]
+            ("blocks", "directional"), ("foliage", "directional"), ("yard", "directional"), ("slope", "directional"),
+            ("model", "directional")]
 BITS = {"basic": 32, "pcf9-gauss": 32, "vsm": 64, "lvsm2": 64, "lvsm4": 128, "lvsm4-bracketed": 128,
         "lvsm4-plane": 128, "evsm4": 128, "esm": 32, "csm": 256, "msm4": 64, "mixture4": 128}
 ALL = 25
@@ -76,6 +77,18 @@ def bleedsInVsmAndNotInFourLayersOrExponential(folder):
 
 
 @case
+def splitsOfTheDeviceFollowTheHostsWhileTheLightMoves(folder):
+    with subprocess.Popen([gallery, "--full", "--size", "48", "--output", str(folder / "gallery"), "--scene", "bench",
+                           "--technique", "lvsm4"], stderr=subprocess.PIPE, text=True) as process:
+        lines = process.stderr.read().splitlines()
+    if process.returncode == NO_DEVICE:
+        sys.exit(NO_DEVICE)
+    verdicts = [line for line in lines if "while the light moves" in line]
+    print(*verdicts, sep="\n")
+    assert process.returncode == 0 and len(verdicts) == 1 and verdicts[0].startswith("holds") and "16 frames" in verdicts[0]
+
+
+@case
 def everyTechniqueIsBetweenNothingAndTheTruth(folder):
     rows = render(folder, "--full", "--scene", "bench", "--map-size", "256")
     errors = {row["technique"]: row["rmse"] for row in rows if row["light"] == "directional"}
@@ -83,8 +96,8 @@ def everyTechniqueIsBetweenNothingAndTheTruth(folder):
     for technique, error in errors.items():
         if technique.startswith("pcf"):
             assert error < SAME_AS_TRUTH, (technique, error)
-        # No shadows at all have the error of the share that is in shadow, here about a half.
-        assert error < 0.2, (technique, error)
+        # Lit everywhere errs by the root of the share in shadow, more than a half; a hard edge by up to a half at a soft one.
+        assert error < (0.5 if technique == "basic" else 0.2), (technique, error)
 
 
 @case
@@ -99,7 +112,7 @@ def exitStatusSaysThatBleedingIsNotShown(folder):
 
 @case
 def rendersAnotherModel(folder):
-    render(folder, OTHER_MODEL, "--scene", "fence", "--technique", "vsm")
+    render(folder, OTHER_MODEL, "--scene", "model", "--technique", "vsm")
     assert "horse.3ds" in (folder / "gallery/index.html").read_text()
 
 

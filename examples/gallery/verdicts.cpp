@@ -1,0 +1,151 @@
+// What the figures say, compared with what is promised.
+#include <algorithm>
+#include <cstdio>
+
+#include "page.hpp"
+
+namespace lvsm::gallery
+{
+namespace
+{
+
+// VSM must bleed at least so much for the scene to show anything, and the others at most so much of that.
+constexpr double kVisibleBleed = 0.03;
+constexpr double kLeftOver = 0.1;
+constexpr double kThird = 1.0 / 3.0;
+// How far the device's splits may lie from the host's.
+constexpr double kSplitTolerance = 1.0 / 4096.0;
+
+std::string formatted(const char* format, double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string percent(double share)
+{
+    return formatted("%.2f%%", 100.0 * share);
+}
+
+// Null where the technique was not asked for.
+const Row* find(const Section& section, const std::string& technique)
+{
+    const auto row = std::find_if(section.rows.begin(), section.rows.end(),
+                                  [&](const Row& each) { return each.technique->id == technique; });
+    return row == section.rows.end() ? nullptr : &*row;
+}
+
+std::string nameOf(const Section& section)
+{
+    return section.scene->title + ", " + section.light.title + ": ";
+}
+
+Verdict judgeBleeding(const Section& section, const Row& vsm, const Row& row)
+{
+    const std::optional<double> bleeding = vsm.figures.behindShield;
+    const std::string where = "Behind the bench, " + section.light.title + ": ";
+    if (!bleeding)
+        return {false, where + "the camera sees no ground in the bench's full shadow."};
+    const double left = row.figures.behindShield.value_or(1.0);
+    const bool holds = *bleeding >= kVisibleBleed && left <= kLeftOver * *bleeding;
+    return {holds, where + row.technique->title + " lets through " + percent(left) + " of the light, VSM " +
+                       percent(*bleeding) + (holds ? "." : ": not the difference that this scene is made to show.")};
+}
+
+// How many surfaces lie in the layer before a receiver's, and how a layer is read, decides; so it is a finding.
+Verdict judgeLayers(const Section& section, const Row& vsm, const Row& layers)
+{
+    const double share = layers.figures.rmse / vsm.figures.rmse;
+    const bool holds = share <= kThird;
+    std::string sentence = nameOf(section) + "LVSM-4 with relaxed splits has " + formatted("%.2f", share) +
+                           " of VSM's error, " + (holds ? "at most a third." : "more than a third");
+    if (!holds)
+    {
+        sentence += ": a receiver's own layer still holds two occluders of different depth";
+        if (const Row* bracketed = find(section, "lvsm4-bracketed"))
+            sentence +=
+                "; the same layers, bracketed, have " + formatted("%.2f", bracketed->figures.rmse / vsm.figures.rmse);
+        sentence += ".";
+    }
+    return {holds, sentence, false};
+}
+
+bool isLayered(const Row& row)
+{
+    return row.technique->id.rfind("lvsm", 0) == 0;
+}
+
+// Which map is the best where it is not a layered one.
+Verdict nameBest(const Section& section)
+{
+    const Row* best = nullptr;
+    const Row* layered = nullptr;
+    for (const Row& row : section.rows)
+    {
+        // Percentage-closer filtering compares as the truth does.
+        if (row.technique->making == Making::Stored)
+            continue;
+        if (isLayered(row) && (layered == nullptr || row.figures.rmse < layered->figures.rmse))
+            layered = &row;
+        if (best == nullptr || row.figures.rmse < best->figures.rmse)
+            best = &row;
+    }
+    if (best == nullptr || layered == nullptr)
+        return {true, "", false};
+    std::string sentence = nameOf(section) + best->technique->title + " errs least, by " + percent(best->figures.rmse) +
+                           " of full light in " + std::to_string(best->technique->bits) + " bits a texel";
+    if (best != layered)
+        sentence += "; of layered maps " + layered->technique->title + " does, by " + percent(layered->figures.rmse) +
+                    " in " + std::to_string(layered->technique->bits);
+    return {true, sentence + ".", false};
+}
+
+Verdict judgeFrames(const Section& section)
+{
+    double difference = 0.0;
+    int ties = 0;
+    for (const Frame& frame : section.frames)
+    {
+        difference = std::max(difference, static_cast<double>(frame.relaxedDifference));
+        const double optimal = static_cast<double>(frame.optimalDifference);
+        // Optimal splits may tie, and then be far apart.
+        if (optimal > kSplitTolerance && frame.optimalIsAsGood)
+            ++ties;
+        else
+            difference = std::max(difference, optimal);
+    }
+    return {difference <= kSplitTolerance,
+            nameOf(section) + "while the light moves, over " + std::to_string(section.frames.size()) +
+                " frames, the device's splits stay within " + formatted("%.1e", difference) + " of the host's" +
+                (ties > 0 ? ", or are as good in " + std::to_string(ties) : "") + "; 1/4096 is " +
+                formatted("%.1e.", kSplitTolerance)};
+}
+
+} // namespace
+
+std::vector<Verdict> judge(const std::vector<Section>& sections)
+{
+    std::vector<Verdict> verdicts;
+    for (const Section& section : sections)
+    {
+        const Row* vsm = find(section, "vsm");
+        const std::string& scene = section.scene->id;
+        for (const char* technique : {"lvsm4", "evsm4"})
+        {
+            const Row* row = find(section, technique);
+            if (scene == "bench" && vsm != nullptr && row != nullptr)
+                verdicts.push_back(judgeBleeding(section, *vsm, *row));
+        }
+        const Row* layers = find(section, "lvsm4");
+        if ((scene == "bench" || scene == "blocks") && vsm != nullptr && layers != nullptr)
+            verdicts.push_back(judgeLayers(section, *vsm, *layers));
+        if (const Verdict best = nameBest(section); !best.sentence.empty())
+            verdicts.push_back(best);
+        if (!section.frames.empty())
+            verdicts.push_back(judgeFrames(section));
+    }
+    return verdicts;
+}
+
+} // namespace lvsm::gallery
