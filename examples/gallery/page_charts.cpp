@@ -297,7 +297,7 @@ std::string costChart(const Section& section)
         const std::optional<Cost> cost = costOf(row.technique->id);
         return cost ? std::optional<double>(cost->units) : std::nullopt;
     };
-    return errorChart(section, units, decades, "units a pixel, loads included", "Error against cost",
+    return errorChart(section, units, decades, "units a pixel, samples included", "Error against cost",
                       "Inverse throughput on GFX1100 (RDNA 3) of the estimate in docs/cost.md that comes nearest; what "
                       "has none is left out.");
 }

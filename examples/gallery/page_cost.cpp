@@ -17,12 +17,12 @@ constexpr const char* kTarget = "GFX1100";
 const std::map<std::string, std::string>& estimates()
 {
     static const std::map<std::string, std::string> names{
-        {"basic", "depthTest"},
+        {"basic", "one comparison"},
         {"pcf2", "PCF 2x2"},
         {"vsm", "VSM"},
         {"vsm-reduced", "VSM less bleeding"},
         {"lvsm2", "LVSM one placed layer"},
-        {"lvsm4-uniform", "LVSM one layer"},
+        {"lvsm4-uniform", "LVSM one placed layer"},
         {"lvsm4-manual", "LVSM one placed layer"},
         {"lvsm4", "LVSM one placed layer"},
         {"lvsm4-optimal", "LVSM one placed layer"},
@@ -49,11 +49,8 @@ std::map<std::string, double> recordedUnits()
     const auto recorded = nlohmann::json::parse(readText(LVSM_GALLERY_COSTS));
     for (const auto& row : recorded.at("rows"))
     {
-        if (row.at("target") == kTarget && row.contains("load_inverse_throughput"))
-        {
-            units[row.at("name")] =
-                row.at("inverse_throughput").get<double>() + row.at("load_inverse_throughput").get<double>();
-        }
+        if (row.at("target") == kTarget && row.at("kind") == "estimate")
+            units[row.at("name")] = row.at("inverse_throughput").get<double>();
     }
     return units;
 }
