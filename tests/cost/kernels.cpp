@@ -4,7 +4,9 @@
 
 #include <lvsm/config.hpp>
 
+#include <algorithm>
 #include <cfloat>
+#include <iterator>
 #include <map>
 
 namespace cost
@@ -148,25 +150,31 @@ std::string loadFunction(const parity::Row& row)
     return type.name + " lvsm_loads(" + parameters + ")\n{\n    return " + type.make + '(' + sum + ");\n}\n";
 }
 
-} // namespace
-
-std::vector<Kernel> functionKernels()
-{
-    const parity::Row rows[] = {
+const parity::Row kRows[] = {
 #define FUNCTION(name, kind, arguments, domain, low, high) \
     {#name, #kind, #arguments, #domain, low, high, nullptr, nullptr, nullptr},
 #include "../parity/functions.def"
 #undef FUNCTION
-    };
+};
+
+} // namespace
+
+std::vector<Kernel> functionKernels()
+{
     std::vector<Kernel> kernels;
-    for (const parity::Row& row : rows)
-    {
-        parity::Row loads = row;
-        loads.function = "loads";
-        kernels.push_back({"function", row.function, parity::glslKernel(row, kLibrary),
-                           parity::glslKernel(loads, kLibrary + std::string(kTotals) + loadFunction(row))});
-    }
+    for (const parity::Row& row : kRows)
+        kernels.push_back(functionKernel(row.function, kLibrary));
     return kernels;
+}
+
+Kernel functionKernel(const std::string& function, const std::string& library)
+{
+    const auto row = std::find_if(std::begin(kRows), std::end(kRows),
+                                  [&function](const parity::Row& r) { return r.function == function; });
+    parity::Row loads = *row;
+    loads.function = "loads";
+    return {"function", function, parity::glslKernel(*row, library),
+            parity::glslKernel(loads, library + kTotals + loadFunction(*row))};
 }
 
 } // namespace cost

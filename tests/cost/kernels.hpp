@@ -12,10 +12,10 @@ namespace cost
 
 struct Kernel
 {
-    std::string kind; ///< "function", "estimate" or "pass"
+    std::string kind; ///< "function", "form", "estimate" or "pass"
     std::string name;
     std::string text;
-    /// What stands beside it. Of a function: the same loads and stores, and nothing between but additions that keep the
+    /// What stands beside it. Of a function or a form of one: the same loads and stores, and nothing between but additions that keep the
     /// loads alive. Of an estimate: the same with the wrappers' rule for borders.
     std::string beside = {};
     /// Of an estimate: the map that it reads, of maps(), and how many decisions it makes, of taps and of the texels that
@@ -29,6 +29,12 @@ struct Kernel
 
 /// The rows of tests/parity/functions.def.
 std::vector<Kernel> functionKernels();
+
+/// One of them by a text of the library.
+Kernel functionKernel(const std::string& function, const std::string& library);
+
+/// Functions without a part of theirs, or in fewer operations.
+std::vector<Kernel> formKernels(const std::string& glslFolder);
 
 /// Those of estimates.def, with their taps. glslFolder: holds lvsm/lvsm.glsl.
 std::vector<Kernel> estimateKernels(const std::string& glslFolder);

@@ -45,7 +45,7 @@ struct Cost
 
     Statistics net() const
     {
-        const Statistics loads = kernel->kind == "function" ? beside : Statistics{0, 0, 0};
+        const Statistics loads = kernel->kind == "function" || kernel->kind == "form" ? beside : Statistics{0, 0, 0};
         return {whole.instructions - loads.instructions, whole.inverseThroughput - loads.inverseThroughput,
                 whole.registers};
     }
@@ -279,7 +279,8 @@ int measure(const Options& options)
 {
     std::vector<Compiled> kernels;
     for (const std::vector<Kernel>& list :
-         {cost::estimateKernels(options.glslFolder), cost::passKernels(options.glslFolder), cost::functionKernels()})
+         {cost::estimateKernels(options.glslFolder), cost::passKernels(options.glslFolder),
+          cost::formKernels(options.glslFolder), cost::functionKernels()})
     {
         for (const Kernel& kernel : list)
             kernels.push_back({kernel, compile(kernel.name, kernel.text, options),

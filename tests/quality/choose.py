@@ -201,6 +201,24 @@ def cost_table():
     return lines
 
 
+def form_error(name, run, column=MEAN):
+    """That of a form over that of the whole estimate, in the worst scene where column is None."""
+    base = name.split(":")[0].split(" ")[0]
+    if column is not None:
+        return recorded.rmse(name, column, run) / recorded.rmse(base, column, run)
+    return max(recorded.rmse(name, scene, run) / max(recorded.rmse(base, scene, run), 1e-3)
+               for scene in recorded.technique_scenes())
+
+
+def forms_table():
+    """What parts of the estimates from layers save when they are left out, and what is lost."""
+    lines = [["form", "units", "error at width 7", "worst scene", "at width 15", "worst scene"]]
+    for t in recorded.techniques(run="forms 7"):
+        cells = [f"{form_error(t['name'], run, column):.3f}" for run in ("forms 7", "forms 15") for column in (MEAN, None)]
+        lines.append([t["name"].replace(": ", " without: "), str(cost_rows()[t["name"]]["inverse_throughput"]), *cells])
+    return lines
+
+
 # Colours that stay apart for the colour-blind, and as far from white as from black; shapes tell the same.
 STYLES = {32: ("#c05000", "circle"), 64: ("#0a80c0", "square"), 128: ("#0a9060", "triangle"),
           256: ("#b86aa0", "diamond")}

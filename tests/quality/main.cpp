@@ -31,6 +31,7 @@ struct Options
     std::vector<std::string> techniques;
     std::vector<std::string> scenes;
     std::string model;
+    bool forms = false;
     std::string costs = "tests/cost/recorded.json";
     std::string output = "build/reports/quality.json";
     std::string pictures;
@@ -153,7 +154,7 @@ std::vector<LitScene> litScenes(const std::vector<Scene>& scenes, const Plan& pl
 
 support::Result<Run> measureAll(const Options& options)
 {
-    std::vector<Technique> techniques = allTechniques();
+    std::vector<Technique> techniques = options.forms ? layeredForms() : allTechniques();
     std::vector<std::string> names;
     for (const Technique& technique : techniques)
         names.push_back(technique.name);
@@ -245,6 +246,7 @@ int main(int argc, char** argv)
     app.add_flag("--centred", options.centred, "Receivers on texel centres, not anywhere between them");
     app.add_flag("--each-pass", options.eachPass, "Round when storing and after each pass of the filter, not once");
     app.add_flag("--one-tap", options.oneTap, "One tap at full resolution, and no other variant");
+    app.add_flag("--forms", options.forms, "What parts of two estimates from layers are worth, and nothing else");
     app.add_option("--techniques", options.techniques, "Only those whose name contains one of these")->delimiter(',');
     app.add_option("--scenes", options.scenes, "Only those whose name contains one of these")->delimiter(',');
     app.add_option("--model", options.model, "A model of your own, in any format Assimp reads, instead of the scenes");

@@ -41,6 +41,7 @@ RUNS = {
     **{f"footprint {length}{' x 1/8' if stretch > 1 else ''}":
        [["--footprint", f"{length},{stretch}", "--receivers", "2000", "--techniques", SOME]]
        for stretch in (1, 8) for length in (4, 16)},
+    **{f"forms {width}": [["--forms", "--width", width, "--receivers", "3000"]] for width in ("7", "15")},
     "tree 7": [["--tree", *FEWER, "--techniques", TREE]],
     "tree 15": [["--tree", "--width", "15", *FEWER, "--techniques", TREE]],
 }
@@ -139,6 +140,7 @@ def check(quality, calm):
     yield from differences("7", now)
     run = "footprint 16 x 1/8"
     yield from differences(run, by_technique(measure(quality, *RUNS[run][0], "--scenes", "slanted")))
+    yield from differences("forms 7", by_technique(measure(quality, *RUNS["forms 7"][0], "--scenes", "slanted")))
     for was, is_ in zip(whole()["small_calm"], measure(calm, *SMALL_CALM)):
         if was.keys() != is_.keys() or any(
                 abs(is_[key] - was[key]) > TOLERANCE if isinstance(was[key], float) else is_[key] != was[key]

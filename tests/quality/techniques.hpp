@@ -109,6 +109,15 @@ std::vector<Technique> layeredTechniques();  // LVSM, as in the paper and bracke
 std::vector<Technique> mixtureTechniques();  // planes, merged
 std::vector<Technique> limits();
 
+/// What planeBracketedVisibility and bracketedBoundedVisibility would be without a part of theirs, or in fewer operations;
+/// LVSM-8 in unorm8 judged by each.
+using PlaneForm = float (*)(const glm::vec2&, const glm::vec2&, const glm::vec2&, const glm::vec3&, float,
+                            const glm::vec2&, float, float, float);
+using BoundedForm = float (*)(const glm::vec2&, const glm::vec2&, const glm::vec2&, float, const glm::vec2&, float);
+Technique planeForm(const std::string& name, PlaneForm form);
+Technique boundedForm(const std::string& name, BoundedForm form);
+std::vector<Technique> layeredForms();
+
 /// A convolution shadow map of so many terms, with their attenuation; offset, or scaled to full light.
 Technique csm(int order, float strength, bool offset);
 

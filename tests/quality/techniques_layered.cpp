@@ -80,20 +80,31 @@ public:
 class BoundedLayers : public Layers
 {
 public:
-    using Layers::Layers;
+    BoundedLayers(Splits splits, Format format, BoundedForm form = &bracketedBoundedVisibility)
+        : Layers(std::move(splits), format), m_form(form)
+    {
+    }
+
     float visibility(const Query& q) const override
     {
         const int layer = m_splits.layerOf(q.depth);
-        return bracketedBoundedVisibility(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
-                                          m_splits.interval(layer), minVariance(q, m_splits.length(layer)));
+        return m_form(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
+                      m_splits.interval(layer), minVariance(q, m_splits.length(layer)));
     }
+
+private:
+    BoundedForm m_form;
 };
 
 /// The union of the layers that the receiver's plane reaches, judged relative to it; reads the four neighbours too.
 class PlaneLayers : public Layers
 {
 public:
-    using Layers::Layers;
+    PlaneLayers(Splits splits, Format format, PlaneForm form = &planeBracketedVisibility)
+        : Layers(std::move(splits), format), m_form(form)
+    {
+    }
+
     float visibility(const Query& q) const override
     {
         const float variance = planeVariance(q.gradient, q.deviation);
@@ -113,11 +124,13 @@ public:
             ownCovariance += covariance(q, i) * m_splits.length(i) / length;
         }
         const glm::vec3 covariances(covariance(q, first - 1), ownCovariance, covariance(q, last + 1));
-        return planeBracketedVisibility(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
-                                        glm::vec2(begin, begin + length), variance, minVariance(q, length), q.contact);
+        return m_form(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
+                      glm::vec2(begin, begin + length), variance, minVariance(q, length), q.contact);
     }
 
 private:
+    PlaneForm m_form;
+
     float covariance(const Query& q, int layer) const
     {
         if (layer < 0 || layer >= m_splits.count())
@@ -155,6 +168,29 @@ Technique plane(int count, Placement placement)
 }
 
 } // namespace
+
+Technique planeForm(const std::string& name, PlaneForm form)
+{
+    Technique technique = plane(8, Placement::Optimal);
+    technique.name = name;
+    technique.variants = false;
+    technique.prepare = [form](const Map& map)
+    {
+        return std::make_unique<PlaneLayers>(Splits(map, 8, Placement::Optimal), Format::Unorm8, form);
+    };
+    return technique;
+}
+
+Technique boundedForm(const std::string& name, BoundedForm form)
+{
+    Technique technique = layered<BoundedLayers>("", 8, Format::Unorm8, Placement::Uniform, "bounded 8-bit");
+    technique.name = name;
+    technique.prepare = [form](const Map& map)
+    {
+        return std::make_unique<BoundedLayers>(Splits(map, 8, Placement::Uniform), Format::Unorm8, form);
+    };
+    return technique;
+}
 
 std::vector<Technique> layeredTechniques()
 {
