@@ -49,8 +49,12 @@ void write(const fs::path& path, const std::string& text)
 class PendingFolder
 {
 public:
-    explicit PendingFolder(const fs::path& target) : m_target(target), m_pending(target.string() + ".partial")
+    explicit PendingFolder(const fs::path& target)
+        : m_target(target), m_pending(target.string() + ".partial"), m_old(target.string() + ".old")
     {
+        // Whoever was stopped within publish() left the last whole page there.
+        if (!fs::exists(m_target) && fs::exists(m_old))
+            fs::rename(m_old, m_target);
         fs::remove_all(m_pending);
         fs::create_directories(m_pending);
     }
@@ -66,17 +70,17 @@ public:
 
     void publish()
     {
-        const fs::path old = m_target.string() + ".old";
-        fs::remove_all(old);
+        fs::remove_all(m_old);
         if (fs::exists(m_target))
-            fs::rename(m_target, old);
+            fs::rename(m_target, m_old);
         fs::rename(m_pending, m_target);
-        fs::remove_all(old);
+        fs::remove_all(m_old);
     }
 
 private:
     fs::path m_target;
     fs::path m_pending;
+    fs::path m_old;
 };
 
 int complain(const std::string& message, int status)

@@ -4,6 +4,7 @@ the cases."""
 import json
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -145,6 +146,31 @@ def failureKeepsTheOldPage(folder):
     old.write_text("old page")
     assert run_gallery(folder, "/nowhere/teapot.obj").returncode != 0
     assert names_in(folder) == ["gallery", "gallery/index.html"] and old.read_text() == "old page"
+
+
+@case
+def stoppedHalfWayKeepsTheLastPage(folder):
+    arguments = ["--size", "48", "--map-size", "64", "--scene", "planes", "--technique", "vsm", "--output"]
+    # Stopped while it renders, and before that between the two renames that publish a page.
+    for stop, where in ((signal.SIGINT, "gallery"), (signal.SIGKILL, "gallery.old")):
+        place = folder / stop.name
+        (place / where).mkdir(parents=True)
+        (place / where / "index.html").write_text("old page")
+        running = subprocess.Popen([gallery, *arguments, str(place / "gallery")], stderr=subprocess.PIPE, text=True)
+        said = []
+        for line in running.stderr:
+            said.append(line)
+            if re.search(r"\[ *\d+ %, \d+ s left\]", line):
+                break
+        running.send_signal(stop)
+        running.stderr.read()
+        if running.wait() == NO_DEVICE:
+            sys.exit(NO_DEVICE)
+        assert running.returncode == -stop, f"{running.returncode}: {''.join(said)}"
+        assert (place / "gallery/index.html").read_text() == "old page"
+        assert run(gallery, *arguments, str(place / "gallery")).returncode == 0
+        assert "Three planes" in (place / "gallery/index.html").read_text()
+        assert sorted(path.name for path in place.iterdir()) == ["gallery", "reports"], "something is left behind"
 
 
 @case
