@@ -19,6 +19,7 @@ const std::map<std::string, std::string>& estimates()
     static const std::map<std::string, std::string> names{
         {"basic", "one comparison"},
         {"pcf2", "PCF 2x2"},
+        {"pcf3", "PCF 3x3"},
         {"vsm", "VSM"},
         {"vsm-reduced", "VSM less bleeding"},
         {"lvsm2", "LVSM one placed layer"},
@@ -32,7 +33,7 @@ const std::map<std::string, std::string>& estimates()
         {"lvsm4-plane", "LVSM-N plane 8-bit"},
         {"evsm2", "EVSM2"},
         {"evsm4", "EVSM4"},
-        {"esm", "ESM"},
+        {"esm", "ESM with fallback"},
         {"csm", "CSM 16 terms"},
         {"msm4", "MSM4 16-bit"},
         {"msm4-layers", "MSM4 x N 16-bit"},
