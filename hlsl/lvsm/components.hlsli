@@ -5,9 +5,9 @@
 //
 // A component holds the moments of its taps, of first and second order in place and depth, which merge exactly. A window
 // starts with a component a tap; insertComponent merges the two that are cheapest to merge whenever there are more than
-// count. Windows grow as a tree: mix the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a step apart
-// that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its deviation. The
-// topic mixture codes the result and judges receivers by it.
+// count. Windows grow as a tree: mixtureStep mixes the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a
+// step apart that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its
+// deviation. The topic mixture codes the result and judges receivers by it.
 #ifndef LVSM_COMPONENTS_HLSLI
 #define LVSM_COMPONENTS_HLSLI
 
@@ -106,6 +106,76 @@ float lvsm_residualOf(lvsm_MixtureComponent c, float2 g)
 float lvsm_costOf(lvsm_MixtureComponent c)
 {
     return c.weight * sqrt(lvsm_residualOf(c, lvsm_slopeOf(c)) + 1.0e-8);
+}
+
+// Adds a valid component to so many valid ones, of which costs are costOf: where one is none, in its place. Loops end
+// where a compiler sees it and return nowhere, so that they are unrolled and components stay in registers.
+void lvsm_insertValid(inout lvsm_Mixture mixture, inout float costs[LVSM_MAX_COMPONENTS], int count,
+                      lvsm_MixtureComponent added)
+{
+    if (!(added.weight > 0.0))
+        return;
+    // Pairs (m, n), where n = count stands for the new component.
+    float addedCost = lvsm_costOf(added);
+    float least = 2.0e30;
+    float cost = addedCost;
+    int first = 0;
+    int second = count;
+    for (int m = 0; m < LVSM_MAX_COMPONENTS; ++m)
+    {
+        for (int n = 1; n < LVSM_MAX_COMPONENTS; ++n)
+        {
+            if (n > m && n < count)
+            {
+                float both = lvsm_costOf(lvsm_merged(mixture.components[m], mixture.components[n]));
+                float price = both - (costs[m] + costs[n]);
+                if (price < least)
+                {
+                    least = price;
+                    cost = both;
+                    first = m;
+                    second = n;
+                }
+            }
+        }
+        if (m < count)
+        {
+            float both = lvsm_costOf(lvsm_merged(mixture.components[m], added));
+            bool isRoom = !(mixture.components[m].weight > 0.0);
+            float price = isRoom ? -1.0e30 : both - (costs[m] + addedCost);
+            if (price < least)
+            {
+                least = price;
+                cost = isRoom ? addedCost : both;
+                first = m;
+                second = count;
+            }
+        }
+    }
+    lvsm_MixtureComponent chosen = mixture.components[0];
+    lvsm_MixtureComponent partner = added;
+    for (int k = 1; k < LVSM_MAX_COMPONENTS; ++k)
+    {
+        if (k == first)
+            chosen = mixture.components[k];
+        if (k == second && k < count)
+        {
+            partner = mixture.components[k];
+            mixture.components[k] = added;
+            costs[k] = addedCost;
+        }
+    }
+    lvsm_MixtureComponent both = partner;
+    if (chosen.weight > 0.0)
+        both = lvsm_merged(chosen, partner);
+    for (int f = 0; f < LVSM_MAX_COMPONENTS; ++f)
+    {
+        if (f == first && f < count)
+        {
+            mixture.components[f] = both;
+            costs[f] = cost;
+        }
+    }
 }
 
 /// Standard deviation of the tree's window along each axis, in texels.
@@ -222,75 +292,54 @@ float lvsm_mergePrice(lvsm_MixtureComponent first, lvsm_MixtureComponent second)
 void lvsm_insertComponent(inout lvsm_Mixture mixture, lvsm_MixtureComponent component, int count)
 {
     int last = clamp(count, 1, LVSM_MAX_COMPONENTS);
-    lvsm_MixtureComponent partner = lvsm_validComponent(component);
-    if (!(partner.weight > 0.0))
+    lvsm_MixtureComponent added = lvsm_validComponent(component);
+    if (!(added.weight > 0.0))
         return;
-
-    // Loops end where a compiler sees it and return nowhere, so that they are unrolled and components stay in registers.
     float costs[LVSM_MAX_COMPONENTS];
-    int room = LVSM_MAX_COMPONENTS;
-    for (int i = LVSM_MAX_COMPONENTS - 1; i >= 0; --i)
+    for (int i = 0; i < LVSM_MAX_COMPONENTS; ++i)
     {
         costs[i] = 0.0;
         if (i < last)
         {
             mixture.components[i] = lvsm_validComponent(mixture.components[i]);
             costs[i] = lvsm_costOf(mixture.components[i]);
-            room = mixture.components[i].weight > 0.0 ? room : i;
         }
     }
-    for (int r = 0; r < LVSM_MAX_COMPONENTS; ++r)
-    {
-        if (r == room)
-            mixture.components[r] = partner;
-    }
-    if (room < LVSM_MAX_COMPONENTS)
-        return;
+    lvsm_insertValid(mixture, costs, last, added);
+}
 
-    // Pairs (m, n), where n = last stands for the new component.
-    float newCost = lvsm_costOf(partner);
-    float least = 1.0e30;
-    int first = 0;
-    int second = last;
-    for (int m = 0; m < LVSM_MAX_COMPONENTS; ++m)
+/// A step of the tree: a texel's mixture of its own and of those of two others, one on each side.
+/// middle, before, after: any; members are clamped to their ranges. offset: from the texel to the one after it, and back
+/// to the one before it, in texels, each component clamped to [-256,256]. share: of the window that each of the outer two
+/// gets, 1/4 in the tree, in [0,0.5], clamped to it. count: of components that each mixture may have, from 1 to 4,
+/// clamped to it; the others are not read. Result: so many components, the others none.
+/// The moments of the whole are those of all three. Source: insertComponent of the middle's components, then of those
+/// before and after, with a component's plane fitted once.
+lvsm_Mixture lvsm_mixtureStep(lvsm_Mixture middle, lvsm_Mixture before, lvsm_Mixture after, float2 offset, float share,
+                              int count)
+{
+    int last = clamp(count, 1, LVSM_MAX_COMPONENTS);
+    float outer = clamp(share, 0.0, 0.5);
+    lvsm_Mixture mixed;
+    float costs[LVSM_MAX_COMPONENTS];
+    for (int i = 0; i < LVSM_MAX_COMPONENTS; ++i)
     {
-        for (int n = 1; n < LVSM_MAX_COMPONENTS; ++n)
-        {
-            float price = least;
-            if (n > m && n < last)
-                price = lvsm_costOf(lvsm_merged(mixture.components[m], mixture.components[n])) - (costs[m] + costs[n]);
-            if (price < least)
-            {
-                least = price;
-                first = m;
-                second = n;
-            }
-        }
-        if (m < last)
-        {
-            float price = lvsm_costOf(lvsm_merged(mixture.components[m], partner)) - (costs[m] + newCost);
-            if (price < least)
-            {
-                least = price;
-                first = m;
-                second = last;
-            }
-        }
+        mixed.components[i] = lvsm_noComponent();
+        if (i < last)
+            mixed.components[i] = lvsm_moveComponent(middle.components[i], float2(0.0, 0.0), 1.0 - 2.0 * outer);
+        costs[i] = lvsm_costOf(mixed.components[i]);
     }
-    lvsm_MixtureComponent added = partner;
-    for (int k = 1; k < LVSM_MAX_COMPONENTS; ++k)
+    for (int b = 0; b < LVSM_MAX_COMPONENTS; ++b)
     {
-        if (k == second && k < last)
-        {
-            added = mixture.components[k];
-            mixture.components[k] = partner;
-        }
+        if (b < last)
+            lvsm_insertValid(mixed, costs, last, lvsm_moveComponent(before.components[b], -offset, outer));
     }
-    for (int f = 0; f < LVSM_MAX_COMPONENTS; ++f)
+    for (int a = 0; a < LVSM_MAX_COMPONENTS; ++a)
     {
-        if (f == first)
-            mixture.components[f] = lvsm_merged(mixture.components[f], added);
+        if (a < last)
+            lvsm_insertValid(mixed, costs, last, lvsm_moveComponent(after.components[a], offset, outer));
     }
+    return mixed;
 }
 
 /// Makes one of components that are one surface: those whose merging costs less than any code tells.

@@ -5,9 +5,9 @@
 //
 // A component holds the moments of its taps, of first and second order in place and depth, which merge exactly. A window
 // starts with a component a tap; insertComponent merges the two that are cheapest to merge whenever there are more than
-// count. Windows grow as a tree: mix the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a step apart
-// that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its deviation. The
-// topic mixture codes the result and judges receivers by it.
+// count. Windows grow as a tree: mixtureStep mixes the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a
+// step apart that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its
+// deviation. The topic mixture codes the result and judges receivers by it.
 #ifndef LVSM_COMPONENTS_HPP
 #define LVSM_COMPONENTS_HPP
 
@@ -120,6 +120,45 @@ T costOf(const MixtureComponent<T>& c)
 {
     using glm::sqrt;
     return c.weight * sqrt(residualOf(c, slopeOf(c)) + T(1.0e-8));
+}
+
+// Adds a valid component to so many valid ones, of which costs are costOf: where one is none, in its place.
+template <typename T>
+void insertValid(MixtureComponent<T>* components, T* costs, int count, const MixtureComponent<T>& added)
+{
+    if (!(added.weight > T(0)))
+        return;
+    // Pairs (i, j), where j = count stands for the new component.
+    const T addedCost = costOf(added);
+    T least = T(2.0e30);
+    T cost = addedCost;
+    int first = 0;
+    int second = count;
+    for (int i = 0; i < count; ++i)
+    {
+        for (int j = i + 1; j <= count; ++j)
+        {
+            const bool isNew = j == count;
+            const T both = costOf(merged(components[i], isNew ? added : components[j]));
+            const bool isRoom = isNew && !(components[i].weight > T(0));
+            const T price = isRoom ? T(-1.0e30) : both - (costs[i] + (isNew ? addedCost : costs[j]));
+            if (price < least)
+            {
+                least = price;
+                cost = isRoom ? addedCost : both;
+                first = i;
+                second = j;
+            }
+        }
+    }
+    const MixtureComponent<T> partner = second == count ? added : components[second];
+    components[first] = components[first].weight > T(0) ? merged(components[first], partner) : partner;
+    costs[first] = cost;
+    if (second < count)
+    {
+        components[second] = added;
+        costs[second] = addedCost;
+    }
 }
 
 } // namespace detail
@@ -244,55 +283,44 @@ template <typename T>
 void insertComponent(Mixture<T>& mixture, const MixtureComponent<T>& component, int count)
 {
     const int last = detail::clamp(count, 1, kMaxComponents);
-    MixtureComponent<T> partner = detail::validComponent(component);
-    if (!(partner.weight > T(0)))
+    const MixtureComponent<T> added = detail::validComponent(component);
+    if (!(added.weight > T(0)))
         return;
-
     T costs[kMaxComponents] = {};
-    for (int i = 0; i < kMaxComponents; ++i)
+    for (int i = 0; i < last; ++i)
     {
-        if (i >= last)
-            continue;
         mixture.components[i] = detail::validComponent(mixture.components[i]);
         costs[i] = detail::costOf(mixture.components[i]);
     }
+    detail::insertValid(mixture.components, costs, last, added);
+}
+
+/// A step of the tree: a texel's mixture of its own and of those of two others, one on each side.
+/// middle, before, after: any; members are clamped to their ranges. offset: from the texel to the one after it, and back
+/// to the one before it, in texels, each component clamped to [-256,256]. share: of the window that each of the outer two
+/// gets, 1/4 in the tree, in [0,0.5], clamped to it. count: of components that each mixture may have, from 1 to 4,
+/// clamped to it; the others are not read. Result: so many components, the others none.
+/// The moments of the whole are those of all three. Source: insertComponent of the middle's components, then of those
+/// before and after, with a component's plane fitted once.
+template <typename T, glm::qualifier Q>
+Mixture<T> mixtureStep(const Mixture<T>& middle, const Mixture<T>& before, const Mixture<T>& after,
+                       const glm::vec<2, T, Q>& offset, T share, int count)
+{
+    const int last = detail::clamp(count, 1, kMaxComponents);
+    const T outer = detail::clamp(share, T(0), T(0.5));
+    const glm::vec<2, T> back(-offset.x, -offset.y);
+    Mixture<T> mixed{};
+    T costs[kMaxComponents] = {};
     for (int i = 0; i < last; ++i)
     {
-        if (mixture.components[i].weight > T(0))
-            continue;
-        mixture.components[i] = partner;
-        return;
+        mixed.components[i] = moveComponent(middle.components[i], glm::vec<2, T>(T(0), T(0)), T(1) - T(2) * outer);
+        costs[i] = detail::costOf(mixed.components[i]);
     }
-
-    // Pairs (i, j), where j = last stands for the new component.
-    const T newCost = detail::costOf(partner);
-    T least = T(1.0e30);
-    int first = 0;
-    int second = last;
-    for (int i = 0; i < kMaxComponents; ++i)
-    {
-        for (int j = i + 1; j <= kMaxComponents; ++j)
-        {
-            if (j > last)
-                continue;
-            const bool isNew = j == last;
-            const T both = detail::costOf(detail::merged(mixture.components[i], isNew ? partner : mixture.components[j]));
-            const T price = both - (costs[i] + (isNew ? newCost : costs[j]));
-            if (price < least)
-            {
-                least = price;
-                first = i;
-                second = j;
-            }
-        }
-    }
-    if (second < last)
-    {
-        const MixtureComponent<T> given = mixture.components[second];
-        mixture.components[second] = partner;
-        partner = given;
-    }
-    mixture.components[first] = detail::merged(mixture.components[first], partner);
+    for (int i = 0; i < last; ++i)
+        detail::insertValid(mixed.components, costs, last, moveComponent(before.components[i], back, outer));
+    for (int i = 0; i < last; ++i)
+        detail::insertValid(mixed.components, costs, last, moveComponent(after.components[i], offset, outer));
+    return mixed;
 }
 
 /// Makes one of components that are one surface: those whose merging costs less than any code tells.

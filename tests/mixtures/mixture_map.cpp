@@ -56,16 +56,11 @@ void MixtureMap::mix(const MixtureRound& round, bool alongX)
     {
         for (int x = 0; x < m_size; ++x)
         {
-            for (const int side : {0, -1, 1})
-            {
-                const int dx = alongX ? side * round.step : 0;
-                const int dy = alongX ? 0 : side * round.step;
-                const glm::vec2 offset = static_cast<float>(m_texel) * glm::vec2(dx, dy);
-                const float share = side == 0 ? 1.0f - 2.0f * round.share : round.share;
-                const Mixture<float>& from = m_mixtures[at(x + dx, y + dy)];
-                for (int i = 0; i < m_count; ++i)
-                    insertComponent(mixed[at(x, y)], moveComponent(from.components[i], offset, share), m_count);
-            }
+            const int dx = alongX ? round.step : 0;
+            const int dy = alongX ? 0 : round.step;
+            const glm::vec2 offset = static_cast<float>(m_texel) * glm::vec2(dx, dy);
+            mixed[at(x, y)] = mixtureStep(m_mixtures[at(x, y)], m_mixtures[at(x - dx, y - dy)],
+                                          m_mixtures[at(x + dx, y + dy)], offset, round.share, m_count);
         }
     }
     m_mixtures.swap(mixed);

@@ -130,6 +130,122 @@ TEST_CASE_TEMPLATE("insertComponent and simplifyMixture keep the ten sums of the
     LVSM_CHECK_TALLY(tally);
 }
 
+template <typename T>
+Mixture<T> randomMixture(Random& random, int count)
+{
+    Mixture<T> mixture{};
+    for (int k = 0; k < count; ++k)
+    {
+        mixture.components[k] = randomTap<T>(random);
+        mixture.components[k].weight /= T(count);
+    }
+    return mixture;
+}
+
+TEST_CASE_TEMPLATE("mixtureStep keeps the ten sums of three windows, each moved and with its share", T, float, double)
+{
+    Random random(904);
+    Tally tally;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const int count = random.between(1, 4);
+        const Mixture<T> three[] = {randomMixture<T>(random, count), randomMixture<T>(random, count),
+                                    randomMixture<T>(random, count)};
+        const Vec2<T> offset(T(random.between(-4, 4)), T(random.between(-4, 4)));
+        const T share = T(0.125) * T(random.between(0, 4));
+        Sums sums;
+        for (int side = -1; side <= 1; ++side)
+        {
+            for (const MixtureComponent<T>& c : three[side + 1].components)
+                sums.add(Exact(c.weight) * (side == 0 ? Exact(1) - 2 * Exact(share) : Exact(share)),
+                         Exact(c.place.x) + side * Exact(offset.x), Exact(c.place.y) + side * Exact(offset.y), c.depth);
+        }
+        Sums kept;
+        const Mixture<T> mixed = mixtureStep(three[1], three[0], three[2], offset, share, count);
+        for (int k = 0; k < kMaxComponents; ++k)
+        {
+            tally.claim(k < count || mixed.components[k].weight == T(0), i);
+            kept.add(mixed.components[k]);
+        }
+        // Places are up to 12.
+        tally.claim(kept.isNear(sums, Exact(60 * 144 / 64) * kRoundoff<T>), i);
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("mixtureStep does what insertComponent does to the middle's components and then those before and after")
+{
+    Random random(905);
+    Tally tally;
+    for (int i = 0; i < 500; ++i)
+    {
+        const int count = random.between(1, 4);
+        const Mixture<double> middle = randomMixture<double>(random, random.between(1, count));
+        const Mixture<double> before = randomMixture<double>(random, random.between(1, count));
+        const Mixture<double> after = randomMixture<double>(random, random.between(1, count));
+        Mixture<double> inserted{};
+        for (int side : {0, -1, 1})
+        {
+            const Mixture<double>& from = side == 0 ? middle : side < 0 ? before : after;
+            for (int k = 0; k < count; ++k)
+                insertComponent(
+                    inserted, moveComponent(from.components[k], Vec2<double>(2.0 * side, 0.0), side == 0 ? 0.5 : 0.25),
+                    count);
+        }
+        const Mixture<double> mixed = mixtureStep(middle, before, after, Vec2<double>(2.0, 0.0), 0.25, count);
+        for (int k = 0; k < kMaxComponents; ++k)
+        {
+            const MixtureComponent<double>& a = mixed.components[k];
+            const MixtureComponent<double>& b = inserted.components[k];
+            tally.claim(std::abs(a.weight - b.weight) < 1e-14 && std::abs(a.place.x - b.place.x) < 1e-13 &&
+                            std::abs(a.depth - b.depth) < 1e-14 && std::abs(a.variance - b.variance) < 1e-14,
+                        i, k);
+        }
+    }
+    LVSM_CHECK_TALLY(tally);
+}
+
+TEST_CASE("mixtureStep keeps so many surfaces apart and in order, merges equal ones, and clamps what it is given")
+{
+    const auto surfaces = [](std::initializer_list<double> depths)
+    {
+        Mixture<double> mixture{};
+        int k = 0;
+        for (const double depth : depths)
+            mixture.components[k++] = tap(1.0 / static_cast<double>(depths.size()), 0.0, 0.0, depth);
+        return mixture;
+    };
+    const Mixture<double> near = surfaces({0.2});
+    const Mixture<double> four = surfaces({0.8, 0.2, 0.6, 0.4});
+    const Mixture<double> far = surfaces({0.4, 0.8});
+    const Mixture<double> mixed = mixtureStep(four, near, far, Vec2<double>(1.0, 0.0), 0.25, 4);
+    const double depths[] = {0.8, 0.2, 0.6, 0.4};
+    const double weights[] = {0.25, 0.375, 0.125, 0.25};
+    for (int k = 0; k < 4; ++k)
+    {
+        CHECK(mixed.components[k].depth == doctest::Approx(depths[k]));
+        CHECK(mixed.components[k].weight == doctest::Approx(weights[k]));
+    }
+    // The near one's centroid: 1/8 in the middle and 1/4 a texel before it.
+    CHECK(mixed.components[1].place.x == doctest::Approx(-2.0 / 3.0));
+    CHECK(mixed.components[0].place.x == doctest::Approx(0.5));
+
+    // K + 1 equal depths, and a second surface.
+    const Mixture<double> two =
+        mixtureStep(surfaces({0.5, 0.5}), surfaces({0.5, 0.9}), surfaces({0.5, 0.5}), Vec2<double>(0.0), 0.25, 2);
+    CHECK(two.components[0].weight + two.components[1].weight == doctest::Approx(1.0));
+    CHECK(std::min(two.components[0].depth, two.components[1].depth) == doctest::Approx(0.5));
+    CHECK(std::max(two.components[0].depth, two.components[1].depth) == doctest::Approx(0.9));
+
+    CHECK(mixtureStep(near, four, four, Vec2<double>(0.0), -1.0, 4).components[0].weight == 1.0);
+    CHECK(mixtureStep(four, near, near, Vec2<double>(0.0), 2.0, 1).components[0].depth == doctest::Approx(0.2));
+    CHECK(mixtureStep(four, near, near, Vec2<double>(0.0), 2.0, 1).components[0].weight == 1.0);
+    CHECK(mixtureStep(near, near, near, Vec2<double>(0.0), 0.25, 0).components[0].weight == 1.0);
+    CHECK(mixtureStep(near, near, near, Vec2<double>(1000.0, 0.0), 0.5, 1).components[0].spread.x == 65536.0);
+    CHECK(mixtureStep(four, four, four, Vec2<double>(0.0), 0.25, 0).components[1].weight == 0.0);
+    CHECK(mixtureStep(four, four, four, Vec2<double>(0.0), 0.25, 9).components[3].weight == 0.25);
+}
+
 TEST_CASE("slopedComponent is the limit of ever finer taps over the texel's plane")
 {
     const Vec2<double> gradient(0.02, -0.01);
@@ -242,7 +358,7 @@ TEST_CASE("insertComponent merges the first of equal prices, and its count is th
     insertComponent(one, tap(0.5, 0.0, 0.0, 0.2), 1);
     insertComponent(one, tap(0.0, 0.0, 0.0, 0.9), 1);
     CHECK(one.components[0].weight == 0.5);
-    CHECK(one.components[0].depth == 0.2);
+    CHECK(one.components[0].depth == doctest::Approx(0.2));
     insertComponent(one, tap(0.5, 0.0, 0.0, 0.4), 0);
     CHECK(one.components[0].depth == doctest::Approx(0.3));
     CHECK(one.components[1].weight == 0.0);

@@ -5,9 +5,9 @@
 //
 // A component holds the moments of its taps, of first and second order in place and depth, which merge exactly. A window
 // starts with a component a tap; insertComponent merges the two that are cheapest to merge whenever there are more than
-// count. Windows grow as a tree: mix the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a step apart
-// that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its deviation. The
-// topic mixture codes the result and judges receivers by it.
+// count. Windows grow as a tree: mixtureStep mixes the mixtures of three texels, 1/4, 1/2 and 1/4, along x and along y, a
+// step apart that doubles; after n rounds that is a window of 2^(n + 1) - 1 texels, and mixtureDeviation is its
+// deviation. The topic mixture codes the result and judges receivers by it.
 
 // Most components of a mixture.
 const LVSM_MAX_COMPONENTS: i32 = 4;
@@ -102,6 +102,82 @@ fn lvsm_residualOf(c: lvsm_MixtureComponent, g: vec2f) -> f32
 fn lvsm_costOf(c: lvsm_MixtureComponent) -> f32
 {
     return c.weight * sqrt(lvsm_residualOf(c, lvsm_slopeOf(c)) + 1.0e-8);
+}
+
+// Adds a valid component to so many valid ones, of which costs are costOf: where one is none, in its place. Loops end
+// where a compiler sees it and return nowhere, so that they are unrolled and components stay in registers.
+fn lvsm_insertValid(mixture: ptr<function, lvsm_Mixture>, costs: ptr<function, array<f32, LVSM_MAX_COMPONENTS>>,
+                    count: i32, added: lvsm_MixtureComponent)
+{
+    if (!(added.weight > 0.0))
+    {
+        return;
+    }
+    // Pairs (m, n), where n = count stands for the new component.
+    let addedCost = lvsm_costOf(added);
+    var least = 2.0e30;
+    var cost = addedCost;
+    var first = 0;
+    var second = count;
+    for (var m = 0; m < LVSM_MAX_COMPONENTS; m++)
+    {
+        for (var n = 1; n < LVSM_MAX_COMPONENTS; n++)
+        {
+            if (n > m && n < count)
+            {
+                let both = lvsm_costOf(lvsm_merged((*mixture).components[m], (*mixture).components[n]));
+                let price = both - ((*costs)[m] + (*costs)[n]);
+                if (price < least)
+                {
+                    least = price;
+                    cost = both;
+                    first = m;
+                    second = n;
+                }
+            }
+        }
+        if (m < count)
+        {
+            let both = lvsm_costOf(lvsm_merged((*mixture).components[m], added));
+            let isRoom = !((*mixture).components[m].weight > 0.0);
+            let price = select(both - ((*costs)[m] + addedCost), -1.0e30, isRoom);
+            if (price < least)
+            {
+                least = price;
+                cost = select(both, addedCost, isRoom);
+                first = m;
+                second = count;
+            }
+        }
+    }
+    var chosen = (*mixture).components[0];
+    var partner = added;
+    for (var k = 1; k < LVSM_MAX_COMPONENTS; k++)
+    {
+        if (k == first)
+        {
+            chosen = (*mixture).components[k];
+        }
+        if (k == second && k < count)
+        {
+            partner = (*mixture).components[k];
+            (*mixture).components[k] = added;
+            (*costs)[k] = addedCost;
+        }
+    }
+    var both = partner;
+    if (chosen.weight > 0.0)
+    {
+        both = lvsm_merged(chosen, partner);
+    }
+    for (var f = 0; f < LVSM_MAX_COMPONENTS; f++)
+    {
+        if (f == first && f < count)
+        {
+            (*mixture).components[f] = both;
+            (*costs)[f] = cost;
+        }
+    }
 }
 
 /// Standard deviation of the tree's window along each axis, in texels.
@@ -220,86 +296,62 @@ fn lvsm_mergePrice(first: lvsm_MixtureComponent, second: lvsm_MixtureComponent) 
 fn lvsm_insertComponent(mixture: ptr<function, lvsm_Mixture>, component: lvsm_MixtureComponent, count: i32)
 {
     let last = clamp(count, 1, LVSM_MAX_COMPONENTS);
-    let partner = lvsm_validComponent(component);
-    if (!(partner.weight > 0.0))
+    let added = lvsm_validComponent(component);
+    if (!(added.weight > 0.0))
     {
         return;
     }
-
-    // Loops end where a compiler sees it and return nowhere, so that they are unrolled and components stay in registers.
     var costs: array<f32, LVSM_MAX_COMPONENTS>;
-    var room = LVSM_MAX_COMPONENTS;
-    for (var i = LVSM_MAX_COMPONENTS - 1; i >= 0; i--)
+    for (var i = 0; i < LVSM_MAX_COMPONENTS; i++)
     {
         costs[i] = 0.0;
         if (i < last)
         {
             (*mixture).components[i] = lvsm_validComponent((*mixture).components[i]);
             costs[i] = lvsm_costOf((*mixture).components[i]);
-            room = select(i, room, (*mixture).components[i].weight > 0.0);
         }
     }
-    for (var r = 0; r < LVSM_MAX_COMPONENTS; r++)
-    {
-        if (r == room)
-        {
-            (*mixture).components[r] = partner;
-        }
-    }
-    if (room < LVSM_MAX_COMPONENTS)
-    {
-        return;
-    }
+    lvsm_insertValid(mixture, &costs, last, added);
+}
 
-    // Pairs (m, n), where n = last stands for the new component.
-    let newCost = lvsm_costOf(partner);
-    var least = 1.0e30;
-    var first = 0;
-    var second = last;
-    for (var m = 0; m < LVSM_MAX_COMPONENTS; m++)
+/// A step of the tree: a texel's mixture of its own and of those of two others, one on each side.
+/// middle, before, after: any; members are clamped to their ranges. offset: from the texel to the one after it, and back
+/// to the one before it, in texels, each component clamped to [-256,256]. share: of the window that each of the outer two
+/// gets, 1/4 in the tree, in [0,0.5], clamped to it. count: of components that each mixture may have, from 1 to 4,
+/// clamped to it; the others are not read. Result: so many components, the others none.
+/// The moments of the whole are those of all three. Source: insertComponent of the middle's components, then of those
+/// before and after, with a component's plane fitted once.
+fn lvsm_mixtureStep(middle: lvsm_Mixture, before: lvsm_Mixture, after: lvsm_Mixture, offset: vec2f, share: f32,
+                    count: i32) -> lvsm_Mixture
+{
+    let last = clamp(count, 1, LVSM_MAX_COMPONENTS);
+    let outer = clamp(share, 0.0, 0.5);
+    var mixed: lvsm_Mixture;
+    var costs: array<f32, LVSM_MAX_COMPONENTS>;
+    for (var i = 0; i < LVSM_MAX_COMPONENTS; i++)
     {
-        for (var n = 1; n < LVSM_MAX_COMPONENTS; n++)
+        mixed.components[i] = lvsm_noComponent();
+        if (i < last)
         {
-            var price = least;
-            if (n > m && n < last)
-            {
-                price = lvsm_costOf(lvsm_merged((*mixture).components[m], (*mixture).components[n])) -
-                        (costs[m] + costs[n]);
-            }
-            if (price < least)
-            {
-                least = price;
-                first = m;
-                second = n;
-            }
+            mixed.components[i] = lvsm_moveComponent(middle.components[i], vec2f(0.0), 1.0 - 2.0 * outer);
         }
-        if (m < last)
+        costs[i] = lvsm_costOf(mixed.components[i]);
+    }
+    for (var b = 0; b < LVSM_MAX_COMPONENTS; b++)
+    {
+        if (b < last)
         {
-            let price = lvsm_costOf(lvsm_merged((*mixture).components[m], partner)) - (costs[m] + newCost);
-            if (price < least)
-            {
-                least = price;
-                first = m;
-                second = last;
-            }
+            lvsm_insertValid(&mixed, &costs, last, lvsm_moveComponent(before.components[b], -offset, outer));
         }
     }
-    var added = partner;
-    for (var k = 1; k < LVSM_MAX_COMPONENTS; k++)
+    for (var a = 0; a < LVSM_MAX_COMPONENTS; a++)
     {
-        if (k == second && k < last)
+        if (a < last)
         {
-            added = (*mixture).components[k];
-            (*mixture).components[k] = partner;
+            lvsm_insertValid(&mixed, &costs, last, lvsm_moveComponent(after.components[a], offset, outer));
         }
     }
-    for (var f = 0; f < LVSM_MAX_COMPONENTS; f++)
-    {
-        if (f == first)
-        {
-            (*mixture).components[f] = lvsm_merged((*mixture).components[f], added);
-        }
-    }
+    return mixed;
 }
 
 /// Makes one of components that are one surface: those whose merging costs less than any code tells.

@@ -49,6 +49,12 @@ void lvsm_fillTile(ivec2 first, int side, int thread)
     barrier();
 }
 
+void lvsm_readTile(ivec2 at, out uvec4 components[LVSM_MIXTURE_COUNT])
+{
+    for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
+        components[k] = lvsm_tile[lvsm_placeInTile(at) + k];
+}
+
 // One direction of a round, in place: a line of texels is read whole by its threads before they write. begin, end: of
 // what the tile holds, less in the direction afterwards.
 void lvsm_mixTile(ivec2 along, inout ivec2 begin, inout ivec2 end, int thread)
@@ -66,13 +72,15 @@ void lvsm_mixTile(ivec2 along, inout ivec2 begin, inout ivec2 end, int thread)
         bool isActive = thread < atOnce * run && mine < lines;
         ivec2 at = begin + mine * across + (thread % run) * (ivec2(1) - across);
         lvsm_Mixture mixture = lvsm_noMixture();
-        for (int i = 0; i < 3 * LVSM_MIXTURE_COUNT && isActive; ++i)
+        if (isActive)
         {
-            // The middle, before it and behind it.
-            int side = i / LVSM_MIXTURE_COUNT;
-            ivec2 offset = (side == 0 ? 0 : 2 * side - 3) * along;
-            uvec4 component = lvsm_tile[lvsm_placeInTile(at + offset) + i % LVSM_MIXTURE_COUNT];
-            lvsm_mixIn(mixture, component, lvsm_spacing * offset);
+            uvec4 middle[LVSM_MIXTURE_COUNT];
+            uvec4 before[LVSM_MIXTURE_COUNT];
+            uvec4 after[LVSM_MIXTURE_COUNT];
+            lvsm_readTile(at, middle);
+            lvsm_readTile(at - along, before);
+            lvsm_readTile(at + along, after);
+            mixture = lvsm_mixThree(middle, before, after, lvsm_spacing * along);
         }
         barrier();
         for (int k = 0; k < LVSM_MIXTURE_COUNT && isActive; ++k)
@@ -85,15 +93,13 @@ void lvsm_writeTexel(ivec2 at, ivec2 texel)
 {
     if (texel.x >= lvsm_region.z || texel.y >= lvsm_region.w)
         return;
-    int place = lvsm_placeInTile(at);
+    uvec4 components[LVSM_MIXTURE_COUNT];
+    lvsm_readTile(at, components);
 #ifdef LVSM_MIXTURE_TO_MIXTURES
     for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
-        imageStore(lvsm_target, ivec3(texel - lvsm_origins.zw, k), lvsm_tile[place + k]);
+        imageStore(lvsm_target, ivec3(texel - lvsm_origins.zw, k), components[k]);
 #else
-    lvsm_Mixture mixture = lvsm_noMixture();
-    for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
-        mixture.components[k] = lvsm_unpackComponent(lvsm_tile[place + k]);
-    imageStore(lvsm_target, ivec3(texel - lvsm_origins.zw, lvsm_slice), lvsm_codeOf(mixture));
+    imageStore(lvsm_target, ivec3(texel - lvsm_origins.zw, lvsm_slice), lvsm_codeOf(lvsm_unpackMixture(components)));
 #endif
 }
 

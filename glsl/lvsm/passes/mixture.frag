@@ -27,24 +27,16 @@ void main()
 {
     ivec2 texel = ivec2(gl_FragCoord.xy) + lvsm_origins.zw;
     uvec4 components[LVSM_MIXTURE_COUNT];
-    lvsm_Mixture mixture = lvsm_noMixture();
-    bool isMixed = lvsm_steps != ivec2(0);
-    for (int side = 0; side < 3 && isMixed; ++side)
+    lvsm_readMixture(lvsm_source, texel, components);
+    if (lvsm_steps != ivec2(0))
     {
-        // The middle, before it and behind it.
-        ivec2 offset = (side == 0 ? 0 : 2 * side - 3) * lvsm_steps;
-        lvsm_readMixture(lvsm_source, texel + offset, components);
-        for (int i = 0; i < LVSM_MIXTURE_COUNT; ++i)
-            lvsm_mixIn(mixture, components[i], offset);
-    }
-    if (isMixed)
-    {
+        uvec4 before[LVSM_MIXTURE_COUNT];
+        uvec4 after[LVSM_MIXTURE_COUNT];
+        lvsm_readMixture(lvsm_source, texel - lvsm_steps, before);
+        lvsm_readMixture(lvsm_source, texel + lvsm_steps, after);
+        lvsm_Mixture mixture = lvsm_mixThree(components, before, after, lvsm_steps);
         for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
             components[k] = lvsm_packComponent(mixture.components[k]);
-    }
-    else
-    {
-        lvsm_readMixture(lvsm_source, texel, components);
     }
 #ifdef LVSM_MIXTURE_TO_MIXTURES
     lvsm_result = components[0];
@@ -54,8 +46,6 @@ void main()
     lvsm_fourth = components[3];
 #endif
 #else
-    for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
-        mixture.components[k] = lvsm_unpackComponent(components[k]);
-    lvsm_result = lvsm_codeOf(mixture);
+    lvsm_result = lvsm_codeOf(lvsm_unpackMixture(components));
 #endif
 }

@@ -146,13 +146,20 @@ lvsm_Mixture lvsm_noMixture()
     return none;
 }
 
-// What a mixture of three texels gets from one of their components. The middle one has half of the window, which is what
-// lies before and behind it has a quarter. offset: from the middle, in texels of the codes.
-void lvsm_mixIn(inout lvsm_Mixture mixture, uvec4 component, ivec2 offset)
+lvsm_Mixture lvsm_unpackMixture(uvec4 components[LVSM_MIXTURE_COUNT])
 {
-    float share = offset == ivec2(0) ? 0.5 : 0.25;
-    vec2 away = vec2(lvsm_texels * offset);
-    lvsm_insertComponent(mixture, lvsm_moveComponent(lvsm_unpackComponent(component), away, share), LVSM_MIXTURE_COUNT);
+    lvsm_Mixture mixture = lvsm_noMixture();
+    for (int i = 0; i < LVSM_MIXTURE_COUNT; ++i)
+        mixture.components[i] = lvsm_unpackComponent(components[i]);
+    return mixture;
+}
+
+// One direction of a round. offset: from the middle to the one after it, in texels of the codes.
+lvsm_Mixture lvsm_mixThree(uvec4 middle[LVSM_MIXTURE_COUNT], uvec4 before[LVSM_MIXTURE_COUNT],
+                           uvec4 after[LVSM_MIXTURE_COUNT], ivec2 offset)
+{
+    return lvsm_mixtureStep(lvsm_unpackMixture(middle), lvsm_unpackMixture(before), lvsm_unpackMixture(after),
+                            vec2(lvsm_texels * offset), 0.25, LVSM_MIXTURE_COUNT);
 }
 
 // 64 bits fill the first two words.

@@ -145,13 +145,20 @@ lvsm_Mixture lvsm_noMixture()
     return none;
 }
 
-// What a mixture of three texels gets from one of their components. The middle one has half of the window, which is what
-// lies before and behind it has a quarter. offset: from the middle, in texels of the codes.
-void lvsm_mixIn(inout lvsm_Mixture mixture, uint4 component, int2 offset)
+lvsm_Mixture lvsm_unpackMixture(uint4 components[LVSM_MIXTURE_COUNT])
 {
-    float share = offset.x == 0 && offset.y == 0 ? 0.5 : 0.25;
-    float2 away = float2(offset) * float(lvsm_texels);
-    lvsm_insertComponent(mixture, lvsm_moveComponent(lvsm_unpackComponent(component), away, share), LVSM_MIXTURE_COUNT);
+    lvsm_Mixture mixture = lvsm_noMixture();
+    for (int i = 0; i < LVSM_MIXTURE_COUNT; ++i)
+        mixture.components[i] = lvsm_unpackComponent(components[i]);
+    return mixture;
+}
+
+// One direction of a round. offset: from the middle to the one after it, in texels of the codes.
+lvsm_Mixture lvsm_mixThree(uint4 middle[LVSM_MIXTURE_COUNT], uint4 before[LVSM_MIXTURE_COUNT],
+                           uint4 after[LVSM_MIXTURE_COUNT], int2 offset)
+{
+    return lvsm_mixtureStep(lvsm_unpackMixture(middle), lvsm_unpackMixture(before), lvsm_unpackMixture(after),
+                            float2(offset) * float(lvsm_texels), 0.25, LVSM_MIXTURE_COUNT);
 }
 
 // 64 bits fill the first two words.
@@ -220,6 +227,12 @@ void lvsm_fillTile(int2 first, int side, int thread)
     GroupMemoryBarrierWithGroupSync();
 }
 
+void lvsm_readTile(int2 at, out uint4 components[LVSM_MIXTURE_COUNT])
+{
+    for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
+        components[k] = lvsm_tile[lvsm_placeInTile(at) + k];
+}
+
 // One direction of a round, in place: a line of texels is read whole by its threads before they write. begin, end: of
 // what the tile holds, less in the direction afterwards.
 void lvsm_mixTile(int2 along, inout int2 begin, inout int2 end, int thread)
@@ -237,13 +250,15 @@ void lvsm_mixTile(int2 along, inout int2 begin, inout int2 end, int thread)
         bool isActive = thread < atOnce * run && mine < lines;
         int2 at = begin + mine * across + (thread % run) * (int2(1, 1) - across);
         lvsm_Mixture mixture = lvsm_noMixture();
-        for (int i = 0; i < 3 * LVSM_MIXTURE_COUNT && isActive; ++i)
+        if (isActive)
         {
-            // The middle, before it and behind it.
-            int side = i / LVSM_MIXTURE_COUNT;
-            int2 offset = (side == 0 ? 0 : 2 * side - 3) * along;
-            uint4 component = lvsm_tile[lvsm_placeInTile(at + offset) + i % LVSM_MIXTURE_COUNT];
-            lvsm_mixIn(mixture, component, lvsm_spacing * offset);
+            uint4 middle[LVSM_MIXTURE_COUNT];
+            uint4 before[LVSM_MIXTURE_COUNT];
+            uint4 after[LVSM_MIXTURE_COUNT];
+            lvsm_readTile(at, middle);
+            lvsm_readTile(at - along, before);
+            lvsm_readTile(at + along, after);
+            mixture = lvsm_mixThree(middle, before, after, lvsm_spacing * along);
         }
         GroupMemoryBarrierWithGroupSync();
         for (int k = 0; k < LVSM_MIXTURE_COUNT && isActive; ++k)
@@ -256,19 +271,15 @@ void lvsm_writeTexel(int2 at, int2 texel)
 {
     if (texel.x >= lvsm_region.z || texel.y >= lvsm_region.w)
         return;
-    int place = lvsm_placeInTile(at);
+    uint4 components[LVSM_MIXTURE_COUNT];
+    lvsm_readTile(at, components);
 #ifdef LVSM_MIXTURE_TO_MIXTURES
     for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
-        lvsm_target[uint3(texel - lvsm_origins.zw, k)] = lvsm_tile[place + k];
+        lvsm_target[uint3(texel - lvsm_origins.zw, k)] = components[k];
+#elif LVSM_MIXTURE_COUNT == 2
+    lvsm_target[uint3(texel - lvsm_origins.zw, lvsm_slice)] = lvsm_codeOf(lvsm_unpackMixture(components)).xy;
 #else
-    lvsm_Mixture mixture = lvsm_noMixture();
-    for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
-        mixture.components[k] = lvsm_unpackComponent(lvsm_tile[place + k]);
-#if LVSM_MIXTURE_COUNT == 2
-    lvsm_target[uint3(texel - lvsm_origins.zw, lvsm_slice)] = lvsm_codeOf(mixture).xy;
-#else
-    lvsm_target[uint3(texel - lvsm_origins.zw, lvsm_slice)] = lvsm_codeOf(mixture);
-#endif
+    lvsm_target[uint3(texel - lvsm_origins.zw, lvsm_slice)] = lvsm_codeOf(lvsm_unpackMixture(components));
 #endif
 }
 
