@@ -10,6 +10,7 @@ clang++ or its libFuzzer the exit status is 77.
 """
 import argparse
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -19,18 +20,31 @@ SANITIZERS = "fuzzer,address,undefined,float-cast-overflow"
 FLAGS = ["-std=c++17", "-O1", "-g", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
 
 
+def said(source, what):
+    """The words of a line "// Sources: ..." or "// Packages: ..." in a target: what else it is built of."""
+    return (re.findall(rf"^// {what}: (.+)$", source.read_text(), re.MULTILINE) or [""])[0].split()
+
+
 def compile_target(target, compiler, folder):
     """The program, built where it is older than what it is made of; None where there is no libFuzzer."""
     program = folder / target
     source = HERE / f"{target}.cpp"
-    inputs = [source, HERE / "bytes.hpp", *(ROOT / "include/lvsm").glob("*.hpp")]
+    sources = [ROOT / name for name in said(source, "Sources")]
+    inputs = [source, *sources, HERE / "bytes.hpp", *(ROOT / "include/lvsm").glob("*.hpp")]
     if program.exists() and program.stat().st_mtime > max(path.stat().st_mtime for path in inputs):
         return program
-    command = [compiler, *FLAGS, "-I", str(ROOT / "include"), str(source), "-o", str(program)]
+    packages = said(source, "Packages")
     try:
+        found = subprocess.run(["pkg-config", "--cflags", "--libs", *packages], capture_output=True, text=True)
+        if packages and found.returncode != 0:
+            print(f"skip: {found.stderr}")
+            return None
+        libraries = found.stdout.split() if packages else []
+        command = [compiler, *FLAGS, "-I", str(ROOT / "include"), "-I", str(ROOT / "tests/support"), str(source),
+                   *map(str, sources), *libraries, "-o", str(program)]
         done = subprocess.run(command, capture_output=True, text=True)
-    except FileNotFoundError:
-        print(f"skip: no {compiler}")
+    except FileNotFoundError as error:
+        print(f"skip: no {error.filename}")
         return None
     if done.returncode != 0 and "libclang_rt" in done.stderr:
         print(f"skip: {compiler} has no libFuzzer (Debian: libclang-rt-14-dev)")
