@@ -34,7 +34,8 @@ void addTriangle(Mesh& mesh, const glm::vec3 (&corners)[3], const glm::vec3 (&no
     const glm::vec3 face = across / area;
     for (int i = 0; i < 3; ++i)
     {
-        mesh.push_back({corners[i], normals[i], face, colour, static_cast<float>(object), {}});
+        const glm::vec3 normal = glm::dot(normals[i], normals[i]) > 0.0f ? normals[i] : face;
+        mesh.push_back({corners[i], normal, face, colour, static_cast<float>(object), {}});
     }
 }
 

@@ -39,6 +39,7 @@ struct Box
     glm::vec3 corner(int index) const;
 };
 
+/// A normal of length 0, as files may have it, is the triangle's own.
 void addTriangle(Mesh& mesh, const glm::vec3 (&corners)[3], const glm::vec3 (&normals)[3], glm::vec3 colour,
                  Object object = Object::Other);
 

@@ -130,6 +130,7 @@ def brokenModelIsNamedAndNothingIsWritten(folder):
             "cut.ply": b"ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nend_header\n",
             "points.obj": b"v 0 0 0\nv 1 0 0\np 1 2\n",
             "infinite.obj": b"v inf 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n",
+            "promising.off": b"OFF\n353535235358 6 0\n-0.5 -0.5 0.5\n0.5 -0.5 0.5\n",
             "flat.obj": b"v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n",
             "unknown.format": b"\0\1\2\3",
         }

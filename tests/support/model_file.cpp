@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -18,6 +22,34 @@ namespace
 {
 
 using Model = std::vector<ModelTriangle>;
+
+// While it lives, the process gets no more memory than this beside what it has: a file may promise more vertices than any
+// machine holds, and then the allocation has to fail and not the machine.
+class MemoryLimit
+{
+public:
+    MemoryLimit()
+    {
+        constexpr rlim_t kMost = rlim_t{4} << 30;
+        getrlimit(RLIMIT_AS, &m_before);
+        rlimit limited = m_before;
+        limited.rlim_cur = std::min(m_before.rlim_cur, addressSpace() + kMost);
+        setrlimit(RLIMIT_AS, &limited);
+    }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+    ~MemoryLimit() { setrlimit(RLIMIT_AS, &m_before); }
+
+private:
+    static rlim_t addressSpace()
+    {
+        rlim_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+    }
+
+    rlimit m_before{};
+};
 
 glm::vec3 toGlm(const aiVector3D& v)
 {
@@ -85,11 +117,16 @@ Result<Model> loadModel(const std::string& path, float height, float width)
 
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene =
-        importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices |
-                                    aiProcess_SortByPType | aiProcess_JoinIdenticalVertices);
+    const aiScene* scene = nullptr;
+    {
+        const MemoryLimit limit;
+        scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenSmoothNormals |
+                                            aiProcess_PreTransformVertices | aiProcess_SortByPType |
+                                            aiProcess_JoinIdenticalVertices);
+    }
+    const std::string problem = importer.GetErrorString();
     if (scene == nullptr)
-        return failure(importer.GetErrorString());
+        return failure(problem == "std::bad_alloc" ? "it needs more memory than it may have" : problem);
 
     Model model;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
