@@ -128,9 +128,18 @@ void insertValid(MixtureComponent<T>* components, T* costs, int count, const Mix
 {
     if (!(added.weight > T(0)))
         return;
-    // Pairs (i, j), where j = count stands for the new component.
     const T addedCost = costOf(added);
-    T least = T(2.0e30);
+    for (int i = 0; i < count; ++i)
+    {
+        if (components[i].weight > T(0))
+            continue;
+        components[i] = added;
+        costs[i] = addedCost;
+        return;
+    }
+
+    // Pairs (i, j), where j = count stands for the new component.
+    T least = T(1.0e30);
     T cost = addedCost;
     int first = 0;
     int second = count;
@@ -140,19 +149,17 @@ void insertValid(MixtureComponent<T>* components, T* costs, int count, const Mix
         {
             const bool isNew = j == count;
             const T both = costOf(merged(components[i], isNew ? added : components[j]));
-            const bool isRoom = isNew && !(components[i].weight > T(0));
-            const T price = isRoom ? T(-1.0e30) : both - (costs[i] + (isNew ? addedCost : costs[j]));
+            const T price = both - (costs[i] + (isNew ? addedCost : costs[j]));
             if (price < least)
             {
                 least = price;
-                cost = isRoom ? addedCost : both;
+                cost = both;
                 first = i;
                 second = j;
             }
         }
     }
-    const MixtureComponent<T> partner = second == count ? added : components[second];
-    components[first] = components[first].weight > T(0) ? merged(components[first], partner) : partner;
+    components[first] = merged(components[first], second == count ? added : components[second]);
     costs[first] = cost;
     if (second < count)
     {
