@@ -9,13 +9,11 @@ namespace
 {
 
 constexpr int kBlurTaps = 9;
-// What a sample of a blurred map reads.
-constexpr float kReadTexels = kBlurTaps + 2;
 
-Kernel makeBlur(const VulkanContext& gpu, const std::string& macros)
+Kernel makeBlur(const VulkanContext& gpu, const Storage& texel)
 {
     using Type = vk::DescriptorType;
-    return {gpu, compilePass("blur.comp", macros),
+    return {gpu, compilePass("blur.comp", define("LVSM_BLUR_FORMAT", texel.qualifier)),
             bindingsOf({Type::eCombinedImageSampler, Type::eStorageImage, Type::eUniformBuffer})};
 }
 
@@ -27,28 +25,25 @@ public:
           m_nearest(support::makeSampler(gpu, vk::Filter::eNearest))
     {
         const Storage& texel = *technique.texel;
-        const std::string format = define("LVSM_BLUR_FORMAT", texel.qualifier);
         if (technique.making != Making::Stored)
-            m_blur.emplace(makeBlur(gpu, format));
+            m_blur.emplace(makeBlur(gpu, texel));
         if (isFused())
             m_fused.emplace(makeStore(gpu, "fused.comp", technique.store, texel.qualifier, texel.largest));
         if (!isFused() || isBeside())
             m_store.emplace(makeStore(gpu, "store.comp", technique.store, texel.qualifier, texel.largest));
-        if (isBeside())
-            m_maximum.emplace(makeBlur(gpu, define("LVSM_BLUR_MAXIMUM") + define("LVSM_BLUR_FORMAT", "r32f")));
     }
 
     Maps make(const LightDepths& depths, const Buffer& splits) const override
     {
         if (m_technique.making == Making::Stored)
-            return {stored(depths, splits), {}, {}};
+            return {stored(depths, splits), {}};
         if (isBeside())
-            return {fused(depths, splits), stored(depths, splits), greatestDepths(depths)};
+            return {fused(depths, splits), stored(depths, splits)};
         if (isFused())
-            return {fused(depths, splits), {}, {}};
+            return {fused(depths, splits), {}};
         Texture map = stored(depths, splits);
         blurSlices(map, depths);
-        return {std::move(map), {}, {}};
+        return {std::move(map), {}};
     }
 
 private:
@@ -84,7 +79,7 @@ private:
         for (int face = 0; face < depths.faceCount(); ++face)
             runStore(*m_fused, depths, face, halfway, splits, block, passes.store.groups);
         passes.down.groups.z = map.size.slices;
-        blur(*m_blur, halfway, map, passes.down, m_linear);
+        blur(halfway, map, passes.down);
         return map;
     }
 
@@ -107,31 +102,18 @@ private:
             const auto& border = m_technique.border[static_cast<std::size_t>(slice % m_technique.slices)];
             const BlurPasses passes =
                 blurPasses(binomialKernel(kBlurTaps), depths.area(), depths.area(), border, slice);
-            blur(*m_blur, map, halfway, passes.across, m_linear);
-            blur(*m_blur, halfway, map, passes.down, m_linear);
+            blur(map, halfway, passes.across);
+            blur(halfway, map, passes.down);
         }
     }
 
-    // As the Z-Max test of ESM needs them.
-    Texture greatestDepths(const LightDepths& depths) const
-    {
-        Texture across = support::makeTexture(m_gpu, depths.linear.size, depths.linear.format);
-        Texture greatest = support::makeTexture(m_gpu, depths.linear.size, depths.linear.format);
-        const BlurPasses passes = blurPasses(boxKernel(kReadTexels, false), depths.area(), depths.area(),
-                                             glm::vec4(1.0f), 0, depths.faceCount());
-        blur(*m_maximum, depths.linear, across, passes.across, m_nearest);
-        blur(*m_maximum, across, greatest, passes.down, m_nearest);
-        return greatest;
-    }
-
-    void blur(const Kernel& kernel, const Texture& from, const Texture& to, const Pass<BlurBlock>& pass,
-              const vk::raii::Sampler& sampler) const
+    void blur(const Texture& from, const Texture& to, const Pass<BlurBlock>& pass) const
     {
         const Buffer block = support::makeBufferOf(m_gpu, std::vector{pass.block});
-        runPass(
-            kernel,
-            {support::sampledAt(0, from.array, sampler), support::storageAt(1, to.array), support::uniformAt(2, block)},
-            pass.groups);
+        runPass(*m_blur,
+                {support::sampledAt(0, from.array, m_linear), support::storageAt(1, to.array),
+                 support::uniformAt(2, block)},
+                pass.groups);
     }
 
     const VulkanContext& m_gpu;
@@ -141,7 +123,6 @@ private:
     std::optional<Kernel> m_store;
     std::optional<Kernel> m_fused;
     std::optional<Kernel> m_blur;
-    std::optional<Kernel> m_maximum;
 };
 
 } // namespace

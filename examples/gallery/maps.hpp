@@ -16,7 +16,6 @@ struct Maps
     Texture map;
     /// Of Making::BlurredBeside alone.
     std::optional<Texture> unfiltered;
-    std::optional<Texture> greatest;
 };
 
 /// The passes of one technique.

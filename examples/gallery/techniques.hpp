@@ -32,7 +32,7 @@ enum class Making
     Stored,
     /// Store and blur, fused.
     Blurred,
-    /// The same, and beside the map the unblurred one and the greatest depths under the blur.
+    /// The same, and beside the map the unblurred one.
     BlurredBeside,
     /// Mixtures, whose window is their blur.
     Mixed

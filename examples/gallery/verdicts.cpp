@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "page.hpp"
+#include "page_text.hpp"
 
 namespace lvsm::gallery
 {
@@ -16,16 +17,11 @@ constexpr double kThird = 1.0 / 3.0;
 // How far the device's splits may lie from the host's.
 constexpr double kSplitTolerance = 1.0 / 4096.0;
 
-std::string formatted(const char* format, double value)
+std::string scientific(double value)
 {
     char text[32];
-    std::snprintf(text, sizeof text, format, value);
+    std::snprintf(text, sizeof text, "%.1e", value);
     return text;
-}
-
-std::string percent(double share)
-{
-    return formatted("%.2f%%", 100.0 * share);
 }
 
 // Null where the technique was not asked for.
@@ -49,8 +45,9 @@ Verdict judgeBleeding(const Section& section, const Row& vsm, const Row& row)
         return {false, where + "the camera sees no ground in the bench's full shadow."};
     const double left = row.figures.behindShield.value_or(1.0);
     const bool holds = *bleeding >= kVisibleBleed && left <= kLeftOver * *bleeding;
-    return {holds, where + row.technique->title + " lets through " + percent(left) + " of the light, VSM " +
-                       percent(*bleeding) + (holds ? "." : ": not the difference that this scene is made to show.")};
+    return {holds, where + row.technique->title + " lets through " + percent(left) + "% of the light, VSM " +
+                       percent(*bleeding) + "%" +
+                       (holds ? "." : ": not the difference that this scene is made to show.")};
 }
 
 // How many surfaces lie in the layer before a receiver's, and how a layer is read, decides; so it is a finding.
@@ -58,14 +55,13 @@ Verdict judgeLayers(const Section& section, const Row& vsm, const Row& layers)
 {
     const double share = layers.figures.rmse / vsm.figures.rmse;
     const bool holds = share <= kThird;
-    std::string sentence = nameOf(section) + "LVSM-4 with relaxed splits has " + formatted("%.2f", share) +
-                           " of VSM's error, " + (holds ? "at most a third." : "more than a third");
+    std::string sentence = nameOf(section) + "LVSM-4 with relaxed splits has " + fixed(share, 2) + " of VSM's error, " +
+                           (holds ? "at most a third." : "more than a third");
     if (!holds)
     {
         sentence += ": a receiver's own layer still holds two occluders of different depth";
         if (const Row* bracketed = find(section, "lvsm4-bracketed"))
-            sentence +=
-                "; the same layers, bracketed, have " + formatted("%.2f", bracketed->figures.rmse / vsm.figures.rmse);
+            sentence += "; the same layers, bracketed, have " + fixed(bracketed->figures.rmse / vsm.figures.rmse, 2);
         sentence += ".";
     }
     return {holds, sentence, false};
@@ -94,10 +90,10 @@ Verdict nameBest(const Section& section)
     if (best == nullptr || layered == nullptr)
         return {true, "", false};
     std::string sentence = nameOf(section) + best->technique->title + " errs least, by " + percent(best->figures.rmse) +
-                           " of full light in " + std::to_string(best->technique->bits) + " bits a texel";
+                           "% of full light in " + std::to_string(best->technique->bits) + " bits a texel";
     if (best != layered)
         sentence += "; of layered maps " + layered->technique->title + " does, by " + percent(layered->figures.rmse) +
-                    " in " + std::to_string(layered->technique->bits);
+                    "% in " + std::to_string(layered->technique->bits);
     return {true, sentence + ".", false};
 }
 
@@ -117,9 +113,9 @@ Verdict judgeFrames(const Section& section)
     }
     return {difference <= kSplitTolerance,
             nameOf(section) + "while the light moves, over " + std::to_string(section.frames.size()) +
-                " frames, the device's splits stay within " + formatted("%.1e", difference) + " of the host's" +
+                " frames, the device's splits stay within " + scientific(difference) + " of the host's" +
                 (ties > 0 ? ", or are as good in " + std::to_string(ties) : "") + "; 1/4096 is " +
-                formatted("%.1e.", kSplitTolerance)};
+                scientific(kSplitTolerance) + "."};
 }
 
 } // namespace
