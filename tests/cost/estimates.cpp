@@ -310,7 +310,7 @@ std::vector<Kernel> estimateKernels(const std::string& glslFolder)
                         "#include \"lvsm/lvsm.glsl\"\n#include \"lvsm/sampling/combined.glsl\"\n";
     const std::string library = withIncludes(start, glslFolder);
     start = kScene;
-    for (const int width : {2, 3, 4, 5, 7, 15, 25})
+    for (const int width : {2, 3, 4, 5, 7, 9, 15, 25})
         start += window("window" + std::to_string(width), binomial(width));
     start += window("box3", std::vector<double>(3, 1.0 / 3.0));
     start += std::string(kOurs) + kPcf;

@@ -1,6 +1,8 @@
+#!/usr/bin/env python3
 """What docs/choose.md shows: the recorded errors of tests/quality beside the recorded costs of tests/cost.
 
-doc_tables.py offers the tables and the picture to tests/docs/documents.py, which writes and checks them.
+doc_tables.py offers the tables and the picture to tests/docs/documents.py, which writes and checks them. Run by itself,
+it prints which of the figures that were hoped for are reached.
 """
 import functools
 import json
@@ -151,10 +153,14 @@ def wide_ratio(cost):
     return error_of(ours) / error_of(peer)
 
 
-def one_sample_ratio(bits):
-    """The best of ours that hardware filters and that is judged once, over the best such peer, in no more bits."""
+def best_one_sample(bits):
+    """The best of ours that hardware filters and that is judged once, and the best such peer, in no more bits."""
     within = [t for t in techniques() if t["bits"] <= bits and one_tap(t)]
-    ours, peer = (best([t for t in within if t["peer"] == whose]) for whose in (False, True))
+    return [best([t for t in within if t["peer"] == whose]) for whose in (False, True)]
+
+
+def one_sample_ratio(bits):
+    ours, peer = best_one_sample(bits)
     return error_of(ours) / error_of(peer)
 
 
@@ -165,6 +171,55 @@ def wide_table():
         ours, peer = best_wide(cost)
         both = ours is not None and peer is not None
         lines.append([str(cost), shown(ours), shown(peer), f"{error_of(ours) / error_of(peer):.2f}" if both else "-"])
+    return lines
+
+
+PCF = "PCF, whole window"
+
+
+def as_good_as_pcf(peer, run="15"):
+    """Of ours or of PCF's own the cheapest that errs at most 1.1 times as much as PCF over the whole window."""
+    limit = 1.1 * recorded.rmse(PCF, run=run)
+    return min((t for t in techniques(run) if t["cost"] is not None and t["peer"] == peer and error_of(t) <= limit
+                and (not peer or t["name"].startswith("PCF"))), key=lambda t: (cost_of(t), error_of(t)))
+
+
+def wide_worst(cost):
+    """The family of scenes where the best of ours at width 15 is worst against the best peer, of those where it errs."""
+    ours, peer = best_wide(cost)
+    ratios = {family: ours["errors"][family] / peer["errors"][family] for family in recorded.COLUMNS
+              if peer["errors"][family] > 1e-3}
+    return max(ratios.items(), key=lambda item: item[1])
+
+
+def figures():
+    """What was to be reached, and what is: name, limit, value, in words."""
+    found = []
+    for cost in (128, 256, 512):
+        ours, peer = best_wide(cost)
+        family, most = wide_worst(cost)
+        found.append((f"width 15, {cost} units: error over the least of anything else", 0.8, wide_ratio(cost),
+                      f"{ours['name']} / {peer['name']}"))
+        found.append((f"the same in the worst family, {family}", 1, most, ""))
+    for bits, limit in ((64, 0.9), (128, 0.85), (256, 0.65)):
+        found.append((f"one filtered look-up a tap, {bits} bits: error over the best peer", limit, one_sample_ratio(bits),
+                      "{} / {}".format(*(t["name"] for t in best_one_sample(bits)))))
+    ours, pcf = as_good_as_pcf(False), as_good_as_pcf(True)
+    whole = next(t for t in techniques("15") if t["name"] == PCF)
+    for peer in (whole, pcf):
+        found.append(("width 15, at most 1.1 times PCF's error: cost over PCF's", 0.4, cost_of(ours) / cost_of(peer),
+                      f"{ours['name']} / {peer['name']}"))
+    if recorded.TIMES.exists():
+        for name, limit in (("default", 240), ("all widths", 600)):
+            found.append((f"`lvsm_quality`, {name}: seconds on two cores", limit, recorded.times()["seconds"][name], ""))
+    return found
+
+
+def figures_table():
+    lines = [["figure", "at most", "is", "reached", "ours / other"]]
+    for name, limit, value, words in figures():
+        text = str(value) if isinstance(value, int) else f"{value:.2f}"
+        lines.append([name, str(limit), text, "yes" if value <= limit else "no", words])
     return lines
 
 
@@ -323,3 +378,7 @@ line {{ stroke: #ddd; }}
 <rect class="paper" width="{WIDTH}" height="{HEIGHT}"/>
 {axes()}{fronts}{marks}{labels(costed)}{legend()}</svg>
 """
+
+
+if __name__ == "__main__":
+    print(*(" | ".join(line) for line in figures_table()), sep="\n")

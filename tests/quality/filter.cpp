@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <lvsm/filter.hpp>
 
@@ -73,6 +74,19 @@ std::vector<Round> Window::rounds() const
 std::vector<double> Window::kernel() const
 {
     return tree ? kernelOf(rounds()) : binomialKernel(width);
+}
+
+std::vector<double> Window::cut(double deviations) const
+{
+    const std::vector<double> whole = kernel();
+    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2);
+    const double reach = std::floor(deviations * deviationOf(whole));
+    const auto radius = static_cast<std::ptrdiff_t>(std::min(reach, static_cast<double>(whole.size() / 2)));
+    std::vector<double> kept(middle - radius, middle + radius + 1);
+    const double sum = std::accumulate(kept.begin(), kept.end(), 0.0);
+    for (double& weight : kept)
+        weight /= sum;
+    return kept;
 }
 
 std::vector<double> Window::before(int tapsAcross, bool half) const

@@ -28,6 +28,8 @@ struct Window
 
     std::vector<Round> rounds() const;
     std::vector<double> kernel() const;
+    /// Its middle, so many deviations to each side, whole texels: what weighs hardly anything is left out.
+    std::vector<double> cut(double deviations) const;
     /// What is left for a filter before n x n taps or a map of half resolution. The tree has no variant with taps.
     std::vector<double> before(int tapsAcross, bool half) const;
 };

@@ -1,4 +1,5 @@
 // Measures the error of every technique of the library, and of its peers, against exact filtered visibility.
+#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <mutex>
@@ -268,6 +269,7 @@ int main(int argc, char** argv)
         }
     }
 
+    const auto start = std::chrono::steady_clock::now();
     lvsm::support::Result<Run> run = measureAll(options);
     if (!run)
     {
@@ -280,5 +282,7 @@ int main(int argc, char** argv)
         return 1;
     }
     printTables(*run, std::cout);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    std::fprintf(stderr, "%.0f s\n", taken.count());
     return 0;
 }

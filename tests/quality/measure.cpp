@@ -291,6 +291,8 @@ std::vector<Measurement> measure(const Technique& technique, const std::vector<L
             result.reading = variant.decoded ? Reading::Decoded : technique.reading;
             result.variant = variant;
             result.window = terms.window;
+            result.reads =
+                technique.cut > 0.0 ? static_cast<int>(terms.window.cut(technique.cut).size()) : terms.window.width;
             result.footprint = terms.footprint;
             result.samples = maps[i].samples();
             result.estimate = technique.estimate + (result.reading == Reading::Nearest ? " moved" : "");

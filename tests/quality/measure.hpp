@@ -44,6 +44,7 @@ struct Measurement
     Reading reading = Reading::Bilinear;
     Variant variant;
     Window window = {0};
+    int reads = 0; ///< texels across the window that an estimate reads which reads them itself
     Footprint footprint;
     int samples = 1;      ///< along a footprint that is stretched
     std::string estimate; ///< of one tap, in tests/cost/estimates.def
@@ -65,7 +66,7 @@ struct Measurement
     int gathers() const
     {
         const float across = footprint.minified() ? std::ceil(footprint.across()) : 1.0f;
-        return (window.width + footprint.length) / 2 * ((window.width + static_cast<int>(across)) / 2);
+        return (reads + footprint.length) / 2 * ((reads + static_cast<int>(across)) / 2);
     }
     /// How often the estimate is made for one receiver. PCF over a footprint is as many of 15 x 15 as it gathers.
     double decisions() const
@@ -81,7 +82,7 @@ struct Measurement
     {
         if (estimate == "PCF whole window" && footprint.minified())
             return estimate + " 15";
-        return estimate == "PCF whole window" ? estimate + " " + std::to_string(window.width) : estimate;
+        return estimate == "PCF whole window" ? estimate + " " + std::to_string(reads) : estimate;
     }
 };
 

@@ -99,6 +99,25 @@ TEST_CASE("rounds of the tree make the windows that mixtures have, and binomial 
     }
 }
 
+TEST_CASE("a cut window is the middle of the whole one, so many deviations to each side")
+{
+    for (const int width : {3, 7, 15, 25})
+    {
+        const std::vector<double> whole = binomialKernel(width);
+        const std::vector<double> cut = Window{width}.cut(2.0);
+        const std::size_t left = (whole.size() - cut.size()) / 2;
+        CHECK(cut.size() == 2 * static_cast<std::size_t>(std::sqrt(width - 1.0)) + 1);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < cut.size(); ++i)
+        {
+            CHECK(cut[i] / cut[0] == doctest::Approx(whole[i + left] / whole[left]).epsilon(1e-12));
+            sum += cut[i];
+        }
+        CHECK(sum == doctest::Approx(1.0).epsilon(1e-12));
+        CHECK(Window{width}.cut(9.0) == whole);
+    }
+}
+
 TEST_CASE("a window with a footprint weighs what lies along and across it")
 {
     const glm::vec2 offset(0.3f, -0.2f);

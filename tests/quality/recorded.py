@@ -4,6 +4,9 @@
     recorded.py --check LVSM_QUALITY LVSM_CALM     measures a small part and compares every error with the record
     recorded.py --record LVSM_QUALITY LVSM_CALM [FOLDER]    measures everything and writes recorded.json; what FOLDER
                                                             holds of it, as RUN NUMBER.json, is not measured anew
+    recorded.py --time LVSM_QUALITY                how long it takes by default and with all widths, into time.json
+    recorded.py --renew PARTS LVSM_QUALITY         measures only techniques whose names contain one of PARTS, and keeps
+                                                   the others as they are
 
 The record carries a digest of itself, so that no figure of the scenes that are not measured each time is changed by hand.
 """
@@ -15,11 +18,14 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import recorded_run
 
 FILE = pathlib.Path(__file__).with_name("recorded.json")
+TIMES = FILE.with_name("time.json")
+TIMED = {"default": [], "all widths": ["--width", "3,7,15,25"]}
 MEAN = "mesh mean"
 # One of flat layers, one of meshes, both short to measure.
 PART = ["--scenes", "slanted,trees-grazing"]
@@ -50,7 +56,10 @@ BUDGETS = [32, 64, 128, 256]
 TOLERANCE = 1.0e-5
 
 
-def measure(program, *options):
+def measure(program, *options, only=None):
+    if only is not None:
+        at = options.index("--techniques") if "--techniques" in options else len(options)
+        options = [*options[:at], *options[at + 2:], "--techniques", only]
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "quality.json"
         subprocess.run([program, "--output", str(output), *options], check=True, stdout=subprocess.DEVNULL)
@@ -122,11 +131,47 @@ def record(quality, calm, keep=None):
     mesh = list(dict.fromkeys(row["scene"] for row in rows if row["mesh"]))
     flicker = {"calm": [json.dumps(row) for row in measured("calm", calm, *CALM)],
                "small_calm": [json.dumps(row) for row in measured("small calm", calm, *SMALL_CALM)]}
+    write(rows[0]["seed"], mesh, runs, flicker)
+
+
+def write(seed, mesh, runs, flicker):
+    """runs, flicker: lines by name."""
     lines = [line for run in (*runs.values(), *flicker.values()) for line in run]
     listed = [f'{json.dumps(name)}: [\n' + ",\n".join(run) + "\n]" for name, run in runs.items()]
     FILE.write_text('{"seed": %d, "digest": "%s",\n"mesh_scenes": %s,\n"runs": {\n%s\n},\n%s}\n' % (
-        rows[0]["seed"], digest(lines), json.dumps(mesh), ",\n".join(listed),
+        seed, digest(lines), json.dumps(mesh), ",\n".join(listed),
         ",\n".join(f'"{name}": [\n' + ",\n".join(found) + "\n]" for name, found in flicker.items())))
+
+
+def renew(parts, quality):
+    """Measures some techniques anew, in the runs that have them; new ones come last."""
+    kept = whole()
+    runs = {name: {t["name"]: json.dumps(t) for t in run} for name, run in kept["runs"].items()}
+    for run, calls in RUNS.items():
+        for call in calls:
+            if "--forms" in call:
+                continue
+            wanted = call[call.index("--techniques") + 1].split(",") if "--techniques" in call else [""]
+            rows = [row for row in measure(quality, *call, only=parts) if any(part in row["technique"] for part in wanted)]
+            for name, found in by_technique(rows).items():
+                runs[run][name] = json.dumps(summary(name, found, run == "7"))
+    write(kept["seed"], kept["mesh_scenes"], {name: list(run.values()) for name, run in runs.items()},
+          {name: [json.dumps(row) for row in kept[name]] for name in ("calm", "small_calm")})
+
+
+def time_runs(quality):
+    """Seconds of the runs that a user makes. It should be the only one on its machine: the load before says whether."""
+    found = {"processor": recorded_run.processor(), "load": recorded_run.load(), "seconds": {}}
+    for name, options in TIMED.items():
+        start = time.monotonic()
+        measure(quality, *options)
+        found["seconds"][name] = round(time.monotonic() - start)
+    TIMES.write_text(json.dumps(found, indent=1) + "\n")
+    print(found)
+
+
+def times():
+    return json.loads(TIMES.read_text())
 
 
 def check(quality, calm):
@@ -188,5 +233,9 @@ def rmse(name, column=MEAN, run="7"):
 
 
 if __name__ == "__main__":
+    if sys.argv[1:2] == ["--renew"]:
+        sys.exit(renew(*sys.argv[2:]))
+    if sys.argv[1:2] == ["--time"]:
+        sys.exit(time_runs(*sys.argv[2:]))
     recorded_run.main(__doc__, check, record, "If they are meant: tests/quality/recorded.py --record LVSM_QUALITY LVSM_CALM; "
                       "tests/docs/documents.py --write")

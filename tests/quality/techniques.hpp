@@ -94,6 +94,7 @@ struct Technique
     bool bias = false;           ///< whether the bias against rounding may be chosen, as a floor is
     bool contact = false;        ///< whether light bleeding is reduced inside the estimate, not afterwards
     bool variants = false;       ///< also with 4, 9, 16 and 25 taps, and at half resolution
+    double cut = 0.0;            ///< deviations of the window to each side that it reads; 0 for all of it
     std::optional<Own> own = {}; ///< filters by itself: prepared anew for each variant, of which it has half resolution
 };
 

@@ -44,7 +44,8 @@ protected:
 class WholeWindow : public Depths
 {
 public:
-    WholeWindow(const Map& map, bool plane) : m_kernel(map.window.kernel()), m_footprint(map.footprint), m_plane(plane)
+    WholeWindow(const std::vector<double>& kernel, const Footprint& footprint, bool plane)
+        : m_kernel(kernel), m_footprint(footprint), m_plane(plane)
     {
     }
 
@@ -140,8 +141,19 @@ std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
 {
     return [plane](const Map& map)
     {
-        return std::make_unique<WholeWindow>(map, plane);
+        return std::make_unique<WholeWindow>(map.window.kernel(), map.footprint, plane);
     };
+}
+
+/// The whole window's ends weigh next to nothing, and whoever pays for it by the texel leaves them out.
+Technique cutWindow(double deviations, const std::string& name)
+{
+    Technique technique =
+        depths("PCF, window cut at " + name, true, "PCF whole window",
+               [deviations](const Map& map)
+               { return std::make_unique<WholeWindow>(map.window.cut(deviations), map.footprint, true); });
+    technique.cut = deviations;
+    return technique;
 }
 
 } // namespace
@@ -149,9 +161,12 @@ std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
 std::vector<Technique> pcfPeers()
 {
     return {depths("PCF, whole window", true, "PCF whole window", whole(true)),
+            cutWindow(2.0, "2 deviations"),
+            cutWindow(1.5, "1.5 deviations"),
             depths("PCF, 16 turned samples", true, "PCF 16 turned samples",
                    [](const Map& map) { return std::make_unique<Disc>(map); }),
-            depths("PCF, 3 x 3", true, "PCF 3x3", fixed<Box>(3)), depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
+            depths("PCF, 3 x 3", true, "PCF 3x3", fixed<Box>(3)),
+            depths("PCF, 2 x 2", true, "PCF 2x2", fixed<Box>(1))};
 }
 
 std::vector<Technique> limits()
