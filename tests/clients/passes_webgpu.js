@@ -9,6 +9,7 @@ class Player {
         this.device = device;
         this.textures = [];
         this.pipelines = [];
+        this.buffers = [];
         this.sampler = device.createSampler({magFilter: "linear", minFilter: "linear"});
     }
 
@@ -42,19 +43,25 @@ class Player {
         return object.createView({dimension: array ? "2d-array" : "2d", ...levels});
     }
 
-    buffer(data, at, size) {
-        const buffer = this.device.createBuffer({size, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST});
+    filled(data, at, size, usage) {
+        const buffer = this.device.createBuffer({size, usage: usage | GPUBufferUsage.COPY_DST});
         this.device.queue.writeBuffer(buffer, 0, data, at, size);
         return buffer;
     }
 
-    run({program, sources, blocks, target: [target, , level], groups}, data) {
+    buffer({at, bytes}, data) {
+        this.buffers.push(this.filled(data, at, bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC));
+    }
+
+    run({program, sources, blocks, buffers, target, groups}, data) {
         const {pipeline, filters} = this.pipelines[program];
-        const entries = [{binding: 1, resource: this.view(target, level)}];
+        const entries = target ? [{binding: 1, resource: this.view(target[0], target[2])}] : [];
+        for (const [binding, number] of buffers)
+            entries.push({binding, resource: {buffer: this.buffers[number]}});
         for (const [, binding, texture, only] of sources)
             entries.push({binding, resource: this.view(texture, only)});
         for (const [, binding, at, size] of blocks)
-            entries.push({binding, resource: {buffer: this.buffer(data, at, size)}});
+            entries.push({binding, resource: {buffer: this.filled(data, at, size, GPUBufferUsage.UNIFORM)}});
         if (filters)
             entries.push({binding: 3, resource: this.sampler});
         const encoder = this.device.createCommandEncoder();
@@ -64,6 +71,18 @@ class Player {
         pass.dispatchWorkgroups(...groups);
         pass.end();
         this.device.queue.submit([encoder.finish()]);
+    }
+
+    async readBuffer({buffer: number}) {
+        const {size} = this.buffers[number];
+        const copy = this.device.createBuffer({size, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST});
+        const encoder = this.device.createCommandEncoder();
+        encoder.copyBufferToBuffer(this.buffers[number], 0, copy, 0, size);
+        this.device.queue.submit([encoder.finish()]);
+        await copy.mapAsync(GPUMapMode.READ);
+        const words = copy.getMappedRange().slice(0);
+        copy.destroy();
+        return words;
     }
 
     async read({texture: number}) {

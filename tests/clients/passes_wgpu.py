@@ -23,7 +23,7 @@ class Player:
 
     def __init__(self, device, data):
         self.device, self.data = device, data
-        self.textures, self.pipelines, self.reads = [], [], []
+        self.textures, self.pipelines, self.buffers, self.reads = [], [], [], []
         self.sampler = device.create_sampler(mag_filter="linear", min_filter="linear")
 
     def levels(self, texture):
@@ -56,10 +56,20 @@ class Player:
         levels = {} if level < 0 else {"base_mip_level": level, "mip_level_count": 1}
         return made.create_view(dimension="2d-array" if command["array"] else "2d", **levels)
 
+    def buffer(self, command):
+        usage = wgpu.BufferUsage
+        data = self.data[command["at"]:command["at"] + command["bytes"]]
+        self.buffers.append(self.device.create_buffer_with_data(data=data, usage=usage.STORAGE | usage.COPY_SRC))
+
+    def readBuffer(self, command):  # as the script calls it
+        self.reads.append(bytes(self.device.queue.read_buffer(self.buffers[command["buffer"]])))
+
     def run(self, command):
         pipeline, filters = self.pipelines[command["program"]]
-        target, _, level = command["target"]
-        bound = {1: self.view(target, level)}
+        bound = {binding: {"buffer": self.buffers[number]} for binding, number in command["buffers"]}
+        if "target" in command:
+            target, _, level = command["target"]
+            bound[1] = self.view(target, level)
         for _, binding, texture, only in command["sources"]:
             bound[binding] = self.view(texture, only)
         for _, binding, at, size in command["blocks"]:

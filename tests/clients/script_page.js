@@ -12,14 +12,14 @@ export function levelsOf({width, height, slices, levels}) {
     });
 }
 
-// act: one function for each kind of command; those of reading give the floats, or a promise of them.
+// act: one function for each kind of command; those of reading give the bytes, or a promise of them.
 export async function playScript(act) {
     const commands = JSON.parse(await text("/rows/script.json"));
     const data = await bytes("/rows/script.data");
     const reads = [];
     for (const command of commands) {
         const done = act[command.do](command, data);
-        if (command.do === "read")
+        if (command.do.startsWith("read"))
             reads.push(done);
     }
     await fetch("/rows/results", {method: "PUT", body: new Blob(await Promise.all(reads))});

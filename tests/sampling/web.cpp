@@ -32,6 +32,7 @@ bool checkAll(Web& web)
     passed = web.checkDepths() && passed;
     passed = web.checkLevels() && passed;
     passed = web.checkFused() && passed;
+    passed = web.checkPlacing() && passed;
     const std::vector<Depths> images = stillImages();
     for (const std::size_t image : {0u, 1u})
     {

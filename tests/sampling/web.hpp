@@ -32,6 +32,7 @@ public:
     bool checkLevels();
     // WGSL alone: it takes compute shaders.
     bool checkFused();
+    bool checkPlacing();
     bool checkSteps(const Depths& image, bool inPairs);
 
 private:

@@ -58,40 +58,79 @@ int WebScript::program(const std::string& text, const std::string& entry)
     return m_programs++;
 }
 
+int WebScript::buffer(const void* data, std::size_t bytes)
+{
+    m_bufferBytes.push_back(bytes);
+    if (!m_isPlayed)
+        m_commands.push_back({{"do", "buffer"}, {"at", append(data, bytes)}, {"bytes", bytes}});
+    return static_cast<int>(m_bufferBytes.size()) - 1;
+}
+
+nlohmann::json WebScript::runCommand(int program, const std::vector<WebSource>& sources,
+                                     const std::vector<Block>& blocks, const lvsm::GroupCount& groups)
+{
+    nlohmann::json command = {{"do", "run"},
+                              {"program", program},
+                              {"groups", {groups.x, groups.y, groups.z}},
+                              {"sources", nlohmann::json::array()},
+                              {"blocks", nlohmann::json::array()},
+                              {"buffers", nlohmann::json::array()}};
+    for (const WebSource& source : sources)
+        command["sources"].push_back({source.name, source.binding, source.texture, source.level});
+    for (const Block& block : blocks)
+        command["blocks"].push_back({block.name, block.binding, append(block.data, block.bytes), block.bytes});
+    return command;
+}
+
 void WebScript::run(int program, const std::vector<WebSource>& sources, const std::vector<Block>& blocks,
                     const WebTarget& target, const lvsm::Rectangle& region, const lvsm::GroupCount& groups)
 {
     if (m_isPlayed)
         return;
-    nlohmann::json command = {{"do", "run"},
-                              {"program", program},
-                              {"target", {target.texture, target.slice, target.level}},
-                              {"region", {region.x, region.y, region.width, region.height}},
-                              {"groups", {groups.x, groups.y, groups.z}},
-                              {"sources", nlohmann::json::array()},
-                              {"blocks", nlohmann::json::array()}};
-    for (const WebSource& source : sources)
-        command["sources"].push_back({source.name, source.binding, source.texture, source.level});
-    for (const Block& block : blocks)
-        command["blocks"].push_back({block.name, block.binding, append(block.data, block.bytes), block.bytes});
+    nlohmann::json command = runCommand(program, sources, blocks, groups);
+    command["target"] = {target.texture, target.slice, target.level};
+    command["region"] = {region.x, region.y, region.width, region.height};
     m_commands.push_back(std::move(command));
+}
+
+void WebScript::dispatch(int program, const std::vector<WebSource>& sources, const std::vector<Block>& blocks,
+                         const std::vector<WebBuffer>& buffers, const lvsm::GroupCount& groups)
+{
+    if (m_isPlayed)
+        return;
+    nlohmann::json command = runCommand(program, sources, blocks, groups);
+    for (const WebBuffer& buffer : buffers)
+        command["buffers"].push_back({buffer.binding, buffer.buffer});
+    m_commands.push_back(std::move(command));
+}
+
+void WebScript::takeResults(void* data, std::size_t bytes)
+{
+    if (m_read + bytes > m_results.size())
+        throw std::runtime_error("the client has left too few results");
+    std::memcpy(data, m_results.data() + m_read, bytes);
+    m_read += bytes;
 }
 
 Pixels WebScript::read(int texture)
 {
     const Shape& shape = m_shapes[static_cast<std::size_t>(texture)];
     Pixels pixels(shape.width, shape.height, shape.slices, shape.levels);
-    const std::size_t bytes = pixels.texels.size() * sizeof(glm::vec4);
-    if (!m_isPlayed)
-    {
+    if (m_isPlayed)
+        takeResults(pixels.texels.data(), pixels.texels.size() * sizeof(glm::vec4));
+    else
         m_commands.push_back({{"do", "read"}, {"texture", texture}});
-        return pixels;
-    }
-    if (m_read + bytes > m_results.size())
-        throw std::runtime_error("the client has left too few results");
-    std::memcpy(pixels.texels.data(), m_results.data() + m_read, bytes);
-    m_read += bytes;
     return pixels;
+}
+
+std::vector<std::uint32_t> WebScript::readBuffer(int buffer)
+{
+    std::vector<std::uint32_t> words(m_bufferBytes[static_cast<std::size_t>(buffer)] / sizeof(std::uint32_t));
+    if (m_isPlayed)
+        takeResults(words.data(), words.size() * sizeof(std::uint32_t));
+    else
+        m_commands.push_back({{"do", "readBuffer"}, {"buffer", buffer}});
+    return words;
 }
 
 void WebScript::finish() const

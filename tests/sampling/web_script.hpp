@@ -32,6 +32,13 @@ struct WebSource
     int level = -1;
 };
 
+// A buffer that shaders change. Of WGSL.
+struct WebBuffer
+{
+    int binding;
+    int buffer;
+};
+
 struct WebTarget
 {
     int texture;
@@ -80,8 +87,16 @@ public:
     void run(int program, const std::vector<WebSource>& sources, const std::vector<Block>& blocks,
              const WebTarget& target, const lvsm::Rectangle& region, const lvsm::GroupCount& groups);
 
+    // A compute shader that writes to buffers alone. Of WGSL.
+    void dispatch(int program, const std::vector<WebSource>& sources, const std::vector<Block>& blocks,
+                  const std::vector<WebBuffer>& buffers, const lvsm::GroupCount& groups);
+
+    // Words, which shaders have as storage or as a uniform block.
+    int buffer(const void* data, std::size_t bytes);
+
     // What the texture holds by then; while the script is written, zeros.
     Pixels read(int texture);
+    std::vector<std::uint32_t> readBuffer(int buffer);
 
     // Writes the list, where it is not played.
     void finish() const;
@@ -89,6 +104,9 @@ public:
 private:
     int texture(const Shape& shape, const void* texels, bool isArray, bool isOfWords);
     std::size_t append(const void* data, std::size_t bytes);
+    nlohmann::json runCommand(int program, const std::vector<WebSource>& sources, const std::vector<Block>& blocks,
+                              const lvsm::GroupCount& groups);
+    void takeResults(void* data, std::size_t bytes);
 
     std::string m_folder;
     WebLanguage m_language;
@@ -99,6 +117,7 @@ private:
     std::size_t m_read = 0;
     int m_programs = 0;
     std::vector<Shape> m_shapes;
+    std::vector<std::size_t> m_bufferBytes;
 };
 
 } // namespace sampling

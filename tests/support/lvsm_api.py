@@ -70,12 +70,15 @@ def files(root):
 def needs(path, folder):
     """What a file includes and these include in turn, each after what it needs itself: the order in which to paste.
 
-    WGSL includes nothing, and a file needs what it does in GLSL, but for what asks GLSL ES for highp."""
+    WGSL includes nothing, and a file needs what it does in GLSL, but for what asks GLSL ES for highp; a pass that has all
+    of its entry points in one file needs what it does in HLSL, where they are, too."""
     if path.suffix == ".wgsl":
-        glsl = folder.parents[1] / LANGUAGES["GLSL"][0]
-        twins = [glsl / path.relative_to(folder).with_suffix(suffix) for suffix in (".glsl", ".comp", ".frag")]
-        twin = next((twin for twin in twins if twin.exists()), None)
-        return [name for name in (needs(twin, glsl) if twin else []) if name != "sampling/highp"]
+        own = path.relative_to(folder)
+        suffixes = ([".hlsl"] if "@compute" in path.read_text() else []) + [".glsl", ".comp", ".frag"]
+        roots = [folder.parents[1] / LANGUAGES["HLSL" if suffix == ".hlsl" else "GLSL"][0] for suffix in suffixes]
+        twins = [(root / own.with_suffix(suffix), root) for root, suffix in zip(roots, suffixes)]
+        found = next((needs(twin, root) for twin, root in twins if twin.exists()), [])
+        return [name for name in found if name not in ("sampling/highp", own.with_suffix("").as_posix())]
     found = []
     for bracket, name in re.findall(r'^#include ([<"])([^>"]+)', path.read_text(), re.MULTILINE):
         if bracket == "<":
