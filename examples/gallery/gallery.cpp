@@ -65,8 +65,8 @@ class Renderer
 public:
     Renderer(const VulkanContext& gpu, const GalleryOptions& options, const std::filesystem::path& folder,
              std::size_t steps)
-        : m_gpu(gpu), m_options(options), m_folder(folder), m_surfacePass(gpu), m_shadowPass(gpu), m_reader(gpu),
-          m_placer(gpu), m_truth(gpu), m_techniques(chosen(options)), m_progress(steps)
+        : m_gpu(gpu), m_options(options), m_folder(folder), m_surfacePass(gpu), m_shadowPass(gpu), m_peelPass(gpu),
+          m_reader(gpu), m_placer(gpu), m_truth(gpu), m_techniques(chosen(options)), m_progress(steps)
     {
         for (const Technique* technique : m_techniques)
             m_runners.push_back(std::make_unique<TechniqueRunner>(gpu, *technique));
@@ -78,12 +78,11 @@ public:
         const int width = m_options.size * kSupersampling;
         const int height = static_cast<int>(static_cast<float>(m_options.size) / kAspect) * kSupersampling;
         const Surface surface = m_surfacePass.draw(vertices, viewOf(scene.camera), {width, height});
-        const Picture picture{width, height, support::readTexels<glm::vec4>(m_gpu, surface.positions()),
-                              support::readTexels<glm::vec4>(m_gpu, surface.shadingNormals()),
-                              support::readTexels<glm::vec4>(m_gpu, surface.colours())};
+        const Points seen = readPoints(m_gpu, surface);
+        const Picture picture{width, height, seen[0], seen[1], seen[3]};
         for (const Light& light : makeLights(scene, m_options.mapSize, m_options.full))
         {
-            sections.push_back(renderLight(scene, light, vertices, surface, picture));
+            sections.push_back(renderLight(scene, light, vertices, seen, picture));
             if (scene.isTurned && light.id == "directional")
                 renderFrames(sections.back(), vertices, surface, picture);
         }
@@ -96,29 +95,56 @@ private:
         const Scene& scene;
         const Light& light;
         const Picture& picture;
+        // The receivers: the picture's, and then those of the light's peels.
         const Surface& surface;
-        const Buffer& lightBlock;
-        const LightDepths& depths;
+        Buffer lightBlock;
+        LightDepths depths;
+        PeelCounts peels = {};
         // By the window's name.
         std::map<std::string, Truth> truths = {};
         std::vector<bool> shielded = {};
     };
 
-    Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices, const Surface& surface,
+    Subject subjectOf(const Scene& scene, const Light& light, const Buffer& vertices, const Surface& surface,
+                      const Picture& picture) const
+    {
+        return {scene,
+                light,
+                picture,
+                surface,
+                support::makeBufferOf(m_gpu, std::vector{light.block}),
+                m_reader.read(m_shadowPass.draw(vertices, light), light)};
+    }
+
+    // Adds the receivers of the light's depth peels, the nearest first.
+    PeelCounts addPeels(Points& receivers, const Buffer& vertices, const Light& light) const
+    {
+        PeelCounts counts;
+        for (const Points& peel : m_peelPass.draw(vertices, light))
+        {
+            for (std::size_t image = 0; image < kSurfaceImages; ++image)
+                receivers[image].insert(receivers[image].end(), peel[image].begin(), peel[image].end());
+            counts.hidden += counts.peels > 0 ? peel[0].size() : 0;
+            counts.receivers += peel[0].size();
+            counts.peels += peel[0].empty() ? 0 : 1;
+        }
+        return counts;
+    }
+
+    Section renderLight(const Scene& scene, const Light& light, const Buffer& vertices, const Points& seen,
                         const Picture& picture)
     {
-        const Buffer lightBlock = support::makeBufferOf(m_gpu, std::vector{light.block});
-        const LightDepths depths = m_reader.read(m_shadowPass.draw(vertices, light), light);
-        Subject subject{scene, light, picture, surface, lightBlock, depths};
+        Points receivers = seen;
+        const PeelCounts peels = addPeels(receivers, vertices, light);
+        const Surface surface = makeSurface(m_gpu, receivers, picture.width);
+        Subject subject = subjectOf(scene, light, vertices, surface, picture);
+        subject.peels = peels;
         const Truth& truth = truthOf(subject, blurWindow());
         if (scene.shield)
             subject.shielded = shieldedGround(picture, truth, light, scene.shield->box);
 
-        Section section{&scene,
-                        light,
-                        fileName(subject, "exact"),
-                        {},
-                        depthHistogram(support::readTexels<float>(m_gpu, depths.linear))};
+        Section section{&scene, light, fileName(subject, "exact"),
+                        {},     peels, depthHistogram(support::readTexels<float>(m_gpu, subject.depths.linear))};
         const std::vector<glm::vec2> exact(truth.begin(), truth.end());
         writeShaded(path(section.exact), picture, truth, exact, light.isSpot());
         tell(subject, "exact");
@@ -140,7 +166,11 @@ private:
         const Buffer splits = m_placer.place(technique, subject.scene, subject.light, subject.depths);
         const auto visibility = runner.run(subject.light, subject.lightBlock, subject.depths, splits, subject.surface);
         const Truth& truth = truthOf(subject, *technique.window);
-        row.figures = measure(visibility, truth, subject.shielded);
+        const std::size_t camera = subject.picture.surface.size();
+        const std::size_t all = camera + subject.peels.receivers;
+        row.figures = measure(visibility, truth, 0, camera, subject.shielded);
+        row.everywhere = measure(visibility, truth, camera, all);
+        row.hidden = measure(visibility, truth, all - subject.peels.hidden, all);
         writeShaded(path(row.shaded), subject.picture, truth, visibility, subject.light.isSpot());
         writeErrors(path(row.errors), subject.picture, truth, visibility);
         if (technique.layerCount > 1)
@@ -166,14 +196,12 @@ private:
         {
             const float angle = kSweep * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f);
             const Light light = makeTurnedLight(scene, m_options.mapSize, angle);
-            const Buffer lightBlock = support::makeBufferOf(m_gpu, std::vector{light.block});
-            const LightDepths depths = m_reader.read(m_shadowPass.draw(vertices, light), light);
-            Subject subject{scene, light, picture, surface, lightBlock, depths};
-            const Buffer splits = m_placer.place(**layered, scene, light, depths);
-            const Differences differences = m_placer.compareWithHost((*layered)->layerCount, depths);
+            Subject subject = subjectOf(scene, light, vertices, surface, picture);
+            const Buffer splits = m_placer.place(**layered, scene, light, subject.depths);
+            const Differences differences = m_placer.compareWithHost((*layered)->layerCount, subject.depths);
             const std::string name = fileName(subject, "frame" + std::to_string(i));
             const Truth& truth = truthOf(subject, blurWindow());
-            const auto visibility = runner.run(light, lightBlock, depths, splits, surface);
+            const auto visibility = runner.run(light, subject.lightBlock, subject.depths, splits, surface);
             writeShaded(path(name), picture, truth, visibility, light.isSpot());
             section.frames.push_back({angle, name, readSplits(splits, (*layered)->layerCount), differences.relaxed,
                                       differences.optimal, differences.optimalIsAsGood});
@@ -206,6 +234,7 @@ private:
     std::filesystem::path m_folder;
     SurfacePass m_surfacePass;
     ShadowPass m_shadowPass;
+    PeelPass m_peelPass;
     DepthReader m_reader;
     Placer m_placer;
     TruthFinder m_truth;

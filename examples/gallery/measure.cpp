@@ -24,8 +24,8 @@ bool meets(const Box& box, glm::vec3 from, glm::vec3 direction)
 
 std::vector<bool> shieldedGround(const Picture& picture, const Truth& truth, const Light& light, const Box& shield)
 {
-    std::vector<bool> shielded(truth.size());
-    for (std::size_t i = 0; i < truth.size(); ++i)
+    std::vector<bool> shielded(picture.surface.size());
+    for (std::size_t i = 0; i < shielded.size(); ++i)
     {
         const glm::vec3 position(picture.surface[i]);
         const bool onGround = picture.surface[i].w == static_cast<float>(Object::Ground);
@@ -35,7 +35,8 @@ std::vector<bool> shieldedGround(const Picture& picture, const Truth& truth, con
     return shielded;
 }
 
-Figures measure(const std::vector<glm::vec2>& visibility, const Truth& truth, const std::vector<bool>& shielded)
+Figures measure(const std::vector<glm::vec2>& visibility, const Truth& truth, std::size_t begin, std::size_t end,
+                const std::vector<bool>& shielded)
 {
     double weights = 0.0;
     double squares = 0.0;
@@ -43,7 +44,7 @@ Figures measure(const std::vector<glm::vec2>& visibility, const Truth& truth, co
     double darker = 0.0;
     double behind = 0.0;
     std::size_t behindCount = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i)
+    for (std::size_t i = begin; i < end; ++i)
     {
         if (truth[i].z == 0.0f)
             continue;

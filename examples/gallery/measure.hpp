@@ -23,8 +23,8 @@ struct Picture
 /// Exact visibility in x, arriving light in y (cosine and spot cone), 1 in z where the shadow map reaches.
 using Truth = std::vector<glm::vec4>;
 
-/// Visibilities against the truth, in shares of full light. Each pixel counts by the light that arrives without
-/// shadows, as it would be seen in the picture.
+/// Visibilities against the truth, in shares of full light. Each receiver counts by the light that arrives without
+/// shadows, as it would be seen in a picture.
 struct Figures
 {
     double rmse = 0.0;
@@ -39,7 +39,9 @@ struct Figures
 /// Pixels of ground in the full shadow of the shield.
 std::vector<bool> shieldedGround(const Picture& picture, const Truth& truth, const Light& light, const Box& shield);
 
-Figures measure(const std::vector<glm::vec2>& visibility, const Truth& truth, const std::vector<bool>& shielded);
+/// Of the receivers from number `begin` on, and before `end`.
+Figures measure(const std::vector<glm::vec2>& visibility, const Truth& truth, std::size_t begin, std::size_t end,
+                const std::vector<bool>& shielded = {});
 
 } // namespace lvsm::gallery
 

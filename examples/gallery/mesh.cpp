@@ -49,7 +49,8 @@ void addQuad(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, glm
 void addCutOut(Mesh& mesh, glm::vec3 stem, glm::vec3 along, glm::vec3 across, glm::vec3 colour)
 {
     const std::size_t first = mesh.size();
-    addQuad(mesh, stem - across, stem + 2.0f * along - across, stem + 2.0f * along + across, stem + across, colour);
+    addQuad(mesh, stem - across, stem + 2.0f * along - across, stem + 2.0f * along + across, stem + across, colour,
+            Object::Thin);
     for (std::size_t i = first; i < mesh.size(); ++i)
     {
         const glm::vec3 from = mesh[i].position - (stem + along);

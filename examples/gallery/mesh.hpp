@@ -12,7 +12,9 @@ namespace lvsm::gallery
 enum class Object
 {
     Ground = 1,
-    Other = 2
+    Other = 2,
+    /// Of one face that is lit from either side.
+    Thin = 3
 };
 
 /// One corner of a triangle. `normal` shades, `faceNormal` is the triangle's own plane.

@@ -99,7 +99,9 @@ std::string pageText(const std::vector<Section>& sections, const std::vector<Ver
             "makes one comparison with the nearest texel. "
             "Figures cover the "
             "surfaces that face the light within the shadow map; each pixel counts by the light that would reach it "
-            "unshadowed. No technique uses light bleeding reduction where its name does not say so.</p></details>\n"
+            "unshadowed. Figures of every surface are of depth peels: of all that faces the light along its rays, such "
+            "as the inside of a tree's crown, whether or not the camera sees it. No technique uses light bleeding "
+            "reduction where its name does not say so.</p></details>\n"
          << scenes(sections) << paperTables()
          << "<footer><h2>Sources</h2><ul>"
             "<li>Williams, <cite>Casting Curved Shadows on Curved Surfaces</cite>, SIGGRAPH 1978: shadow maps.</li>"

@@ -14,7 +14,10 @@ namespace lvsm::gallery
 struct Row
 {
     const Technique* technique = nullptr;
+    /// Of what the camera sees, of every surface along the light's rays, and of those that another hides from it.
     Figures figures;
+    Figures everywhere;
+    Figures hidden;
     std::string shaded;
     std::string errors;
     /// Empty for techniques of one layer.
@@ -37,12 +40,21 @@ struct Frame
     bool optimalIsAsGood;
 };
 
+/// How many receivers the depth peels of a light have, and how many of them lie behind another surface.
+struct PeelCounts
+{
+    int peels = 0;
+    std::size_t receivers = 0;
+    std::size_t hidden = 0;
+};
+
 struct Section
 {
     const Scene* scene;
     Light light;
     std::string exact;
     std::vector<Row> rows;
+    PeelCounts peels = {};
     /// Shares of the shadow map's texels over depth; empty where it is not known.
     std::vector<double> histogram = {};
     /// Empty for a light that does not move.
@@ -71,7 +83,7 @@ std::string pageText(const std::vector<Section>& sections, const std::vector<Ver
 std::string reportText(const std::vector<Section>& sections);
 
 /// Whether bleeding is large in VSM and gone in LVSM-4 and EVSM4 where the bench shields the ground, what share of VSM's
-/// error four placed layers leave, whose error is the least, and whether the device's splits follow the host's.
+/// error four placed layers leave, whose error is the least, of what the camera sees and of every surface, and whether the device's splits follow the host's.
 std::vector<Verdict> judge(const std::vector<Section>& sections);
 
 } // namespace lvsm::gallery

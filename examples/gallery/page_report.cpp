@@ -4,6 +4,7 @@
 
 namespace lvsm::gallery
 {
+
 std::string reportText(const std::vector<Section>& sections)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -15,6 +16,10 @@ std::string reportText(const std::vector<Section>& sections)
                                             {"technique", row.technique->id}, {"bits", row.technique->bits},
                                             {"rmse", row.figures.rmse},       {"bleed", row.figures.bleed},
                                             {"dark", row.figures.dark}};
+            entry["every_surface"] = {{"peels", section.peels.peels},   {"receivers", section.peels.receivers},
+                                      {"hidden", section.peels.hidden}, {"rmse", row.everywhere.rmse},
+                                      {"bleed", row.everywhere.bleed},  {"dark", row.everywhere.dark},
+                                      {"hidden_rmse", row.hidden.rmse}, {"hidden_bleed", row.hidden.bleed}};
             if (row.figures.behindShield)
                 entry["shield_bleed"] = *row.figures.behindShield;
             if (!row.splits.empty())

@@ -66,7 +66,7 @@ std::string figureTable(const Section& section)
         << "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Table of figures\"><table class=\"figures\">"
         << "<thead><tr><th>technique</th><th>storage</th><th>bits<br><small>a texel</small></th>"
         << "<th>cost<br><small>units a pixel</small></th><th>RMSE" << share << "<th>mean bleeding" << share
-        << "<th>mean darkening" << share;
+        << "<th>mean darkening" << share << "<th>RMSE, every surface" << share << "<th>RMSE, hidden surfaces" << share;
     if (shielded)
     {
         html << "<th>light behind " << escaped(section.scene->shield->name)
@@ -78,12 +78,16 @@ std::string figureTable(const Section& section)
         html << "<tr" << marked(section, row) << "><th scope=\"row\">" << row.technique->title << "</th><td>"
              << row.technique->storage << "</td><td>" << row.technique->bits << "</td>" << costCell(row) << "<td>"
              << percent(row.figures.rmse) << "</td><td>" << percent(row.figures.bleed) << "</td><td>"
-             << percent(row.figures.dark) << "</td>";
+             << percent(row.figures.dark) << "</td><td>" << percent(row.everywhere.rmse) << "</td><td>"
+             << percent(row.hidden.rmse) << "</td>";
         if (shielded)
             html << "<td>" << (row.figures.behindShield ? percent(*row.figures.behindShield) : "&ndash;") << "</td>";
         html << "</tr>\n";
     }
-    html << "</tbody></table></div></details>\n";
+    html << "</tbody></table></div>\n<p>Every surface: " << section.peels.receivers
+         << " receivers, wherever a grid of the light's rays meets a surface that faces it, up to "
+         << section.peels.peels << " behind one another. " << section.peels.hidden
+         << " of them are hidden from the light by another, and most of those from the camera too.</p></details>\n";
     return html.str();
 }
 

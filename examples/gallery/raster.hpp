@@ -1,6 +1,7 @@
 #ifndef LVSM_GALLERY_RASTER_HPP
 #define LVSM_GALLERY_RASTER_HPP
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct View
     glm::vec4 eye;
 };
 
+constexpr std::size_t kSurfaceImages = 6;
+
 /// What the camera sees, by the outputs of surface.frag.
 struct Surface
 {
@@ -30,6 +33,14 @@ struct Surface
     const Texture& alongY() const { return images[5]; }
 };
 
+/// The same on the host: a point to an entry.
+using Points = std::array<std::vector<glm::vec4>, kSurfaceImages>;
+
+Points readPoints(const VulkanContext& gpu, const Surface& surface);
+
+/// Row by row, and nothing where the last row has no more of them.
+Surface makeSurface(const VulkanContext& gpu, const Points& points, int width);
+
 /// Draws a scene as the camera sees it.
 class SurfacePass
 {
@@ -41,6 +52,24 @@ public:
 private:
     const VulkanContext& m_gpu;
     support::Raster m_raster;
+};
+
+/// Draws all that lies along the rays of a light's map, one surface behind the other.
+class PeelPass
+{
+public:
+    explicit PeelPass(const VulkanContext& gpu);
+
+    /// Points on what faces the light, at an even grid of a quarter as many rays as the map has, each list behind the
+    /// one before. Empty where nothing of a peel faces it.
+    std::vector<Points> draw(const Buffer& vertices, const Light& light) const;
+
+private:
+    void drawFace(const Buffer& vertices, const Light& light, int face, std::vector<Points>& peels) const;
+
+    const VulkanContext& m_gpu;
+    support::Raster m_raster;
+    vk::raii::Sampler m_sampler;
 };
 
 /// Draws a scene as a light sees it: its depth buffer, a slice to a face.

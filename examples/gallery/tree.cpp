@@ -66,7 +66,7 @@ private:
         const glm::vec3 across = glm::cross(facing, along) * (0.3f * kLeafLength);
         const glm::vec3 middle = stem + along * (0.5f * kLeafLength);
         const glm::vec3 tip = stem + along * kLeafLength;
-        addQuad(m_mesh, stem, middle - across, tip, middle + across, kLeaf * uniform(0.8f, 1.2f));
+        addQuad(m_mesh, stem, middle - across, tip, middle + across, kLeaf * uniform(0.8f, 1.2f), Object::Thin);
     }
 
     Mesh& m_mesh;

@@ -76,6 +76,7 @@ bool isLayered(const Row& row)
 Verdict nameBest(const Section& section)
 {
     const Row* best = nullptr;
+    const Row* everywhere = nullptr;
     const Row* layered = nullptr;
     for (const Row& row : section.rows)
     {
@@ -86,6 +87,8 @@ Verdict nameBest(const Section& section)
             layered = &row;
         if (best == nullptr || row.figures.rmse < best->figures.rmse)
             best = &row;
+        if (everywhere == nullptr || row.everywhere.rmse < everywhere->everywhere.rmse)
+            everywhere = &row;
     }
     if (best == nullptr || layered == nullptr)
         return {true, "", false};
@@ -94,6 +97,12 @@ Verdict nameBest(const Section& section)
     if (best != layered)
         sentence += "; of layered maps " + layered->technique->title + " does, by " + percent(layered->figures.rmse) +
                     "% in " + std::to_string(layered->technique->bits);
+    sentence += ". Over every surface along the light's rays, up to " + std::to_string(section.peels.peels) +
+                " of them one behind the other, " + everywhere->technique->title + " does, by " +
+                percent(everywhere->everywhere.rmse) + "%";
+    if (const Row* vsm = find(section, "vsm"))
+        sentence += "; VSM by " + percent(vsm->everywhere.rmse) + "%, of what the camera sees " +
+                    percent(vsm->figures.rmse) + "%";
     return {true, sentence + ".", false};
 }
 

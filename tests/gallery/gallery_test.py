@@ -1,5 +1,5 @@
-"""Runs one case: gallery_test.py CASE GALLERY. Exit status 77: no Vulkan device. Without arguments, lists
-the cases."""
+"""Runs one case: gallery_test.py CASE GALLERY PAGE, with a folder that the gallery has written by --map-size 256. Exit
+status 77: no Vulkan device. Without arguments, lists the cases."""
 
 import json
 import pathlib
@@ -59,22 +59,28 @@ def expect_refusal(folder, done, named):
 
 @case
 def bleedsInVsmAndNotInFourLayersOrExponential(folder):
-    rows = render(folder, "--map-size", "256")
+    if not page.exists():
+        sys.exit(NO_DEVICE)
+    rows = json.loads((page.parent / "reports/gallery.json").read_text())
     found = [(row["scene"], row["light"], row["technique"], row["bits"]) for row in rows]
     assert found == [(*section, t, b) for section in SECTIONS for t, b in BITS.items()], found
     for row in rows:
         assert all(0 <= row[figure] <= 1 for figure in ("rmse", "bleed", "dark")), row
+    # Plane A, plane B and the ground, two of them behind one another or all three.
+    planes = [row for row in rows if (row["scene"], row["light"]) == ("planes", "directional")]
+    for every in (row["every_surface"] for row in planes):
+        assert every["peels"] == 3 and 0 < every["hidden"] < every["receivers"] / 2, every
     for light in ("spot", "directional"):
         behind = {row["technique"]: row["shield_bleed"] for row in rows
                   if (row["scene"], row["light"]) == ("bench", light)}
         assert behind["vsm"] > 0.1, behind
         assert behind["lvsm4"] < 0.01 and behind["evsm4"] < 0.001, behind
 
-    shown = re.findall(r'"([\w-]+\.png)"', (folder / "gallery/index.html").read_text())
-    written = [name for name in names_in(folder / "gallery") if name != "index.html"]
+    shown = re.findall(r'"([\w-]+\.png)"', (page / "index.html").read_text())
+    written = [name for name in names_in(page) if name != "index.html"]
     assert sorted(set(shown)) == written, "the page and the folder differ"
     for name in written:
-        assert (folder / "gallery" / name).read_bytes().startswith(PNG), name
+        assert (page / name).read_bytes().startswith(PNG), name
 
 
 @case
@@ -93,10 +99,15 @@ def splitsOfTheDeviceFollowTheHostsWhileTheLightMoves(folder):
 def everyTechniqueIsBetweenNothingAndTheTruth(folder):
     rows = render(folder, "--full", "--scene", "bench", "--map-size", "256")
     errors = {row["technique"]: row["rmse"] for row in rows if row["light"] == "directional"}
+    every = {row["technique"]: row["every_surface"] for row in rows if row["light"] == "directional"}
     assert len(errors) == ALL, errors
+    # The crown of the tree, which is not in the picture, has many occluders in each window.
+    assert every["vsm"]["hidden_rmse"] > 2 * errors["vsm"] and every["vsm"]["hidden_bleed"] > 0.1, every["vsm"]
     for technique, error in errors.items():
         if technique.startswith("pcf"):
             assert error < SAME_AS_TRUTH, (technique, error)
+            # Leaves are often too slanted for the bias.
+            assert every[technique]["rmse"] < 0.2 * every["vsm"]["rmse"], (technique, every[technique])
         # Lit everywhere errs by the root of the share in shadow, more than a half; a hard edge by up to a half at a soft one.
         assert error < (0.5 if technique == "basic" else 0.2), (technique, error)
 
@@ -183,6 +194,6 @@ def missingDeviceIsNamedAndNothingIsWritten(folder):
 if len(sys.argv) < 2:
     print(*cases, sep="\n")
     sys.exit(0)
-gallery = sys.argv[2]
+gallery, page = sys.argv[2], pathlib.Path(sys.argv[3])
 with tempfile.TemporaryDirectory() as scratch:
     cases[sys.argv[1]](pathlib.Path(scratch))

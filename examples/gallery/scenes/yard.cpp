@@ -46,7 +46,8 @@ void addGrass(Mesh& mesh)
         const glm::vec3 side = 0.008f * glm::vec3(glm::cos(turn), 0.0f, glm::sin(turn));
         const glm::vec3 tip = foot + glm::vec3(lean, height, lean);
         const glm::vec3 middle = 0.5f * (foot + tip) + 0.008f * glm::vec3(0, 1, 0);
-        addQuad(mesh, foot - side, foot + side, middle + 0.7f * side, tip, kGrass * (0.75f + 0.5f * uniform()));
+        addQuad(mesh, foot - side, foot + side, middle + 0.7f * side, tip, kGrass * (0.75f + 0.5f * uniform()),
+                Object::Thin);
     }
 }
 
