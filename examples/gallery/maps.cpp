@@ -10,10 +10,10 @@ namespace
 
 constexpr int kBlurTaps = 9;
 
-Kernel makeBlur(const VulkanContext& gpu, const Storage& texel)
+Kernel makeBlur(const VulkanContext& gpu, const std::string& format, const std::string& macros = {})
 {
     using Type = vk::DescriptorType;
-    return {gpu, compilePass("blur.comp", define("LVSM_BLUR_FORMAT", texel.qualifier)),
+    return {gpu, compilePass("blur.comp", macros + define("LVSM_BLUR_FORMAT", format)),
             bindingsOf({Type::eCombinedImageSampler, Type::eStorageImage, Type::eUniformBuffer})};
 }
 
@@ -26,30 +26,35 @@ public:
     {
         const Storage& texel = *technique.texel;
         if (technique.making != Making::Stored)
-            m_blur.emplace(makeBlur(gpu, texel));
+            m_blur.emplace(makeBlur(gpu, texel.qualifier));
         if (isFused())
             m_fused.emplace(makeStore(gpu, "fused.comp", technique.store, texel.qualifier, texel.largest));
         if (!isFused() || isBeside())
             m_store.emplace(makeStore(gpu, "store.comp", technique.store, texel.qualifier, texel.largest));
+        if (hasGreatest())
+            m_maximum.emplace(makeBlur(gpu, "r32f", define("LVSM_BLUR_MAXIMUM")));
     }
 
     Maps make(const LightDepths& depths, const Buffer& splits) const override
     {
         if (m_technique.making == Making::Stored)
-            return {stored(depths, splits), {}};
+            return {stored(depths, splits)};
+        if (hasGreatest())
+            return {fused(depths, splits), stored(depths, splits), greatestDepths(depths)};
         if (isBeside())
             return {fused(depths, splits), stored(depths, splits)};
         if (isFused())
-            return {fused(depths, splits), {}};
+            return {fused(depths, splits)};
         Texture map = stored(depths, splits);
         blurSlices(map, depths);
-        return {std::move(map), {}};
+        return {std::move(map)};
     }
 
 private:
     // The fused pass has one border for all slices.
     bool isFused() const { return m_technique.making != Making::Stored && m_technique.border.size() == 1; }
-    bool isBeside() const { return m_technique.making == Making::BlurredBeside; }
+    bool isBeside() const { return m_technique.making == Making::BlurredBeside || hasGreatest(); }
+    bool hasGreatest() const { return m_technique.making == Making::BlurredWithGreatest; }
 
     Texture makeMap(const LightDepths& depths) const
     {
@@ -79,7 +84,7 @@ private:
         for (int face = 0; face < depths.faceCount(); ++face)
             runStore(*m_fused, depths, face, halfway, splits, block, passes.store.groups);
         passes.down.groups.z = map.size.slices;
-        blur(halfway, map, passes.down);
+        blur(*m_blur, halfway, map, passes.down);
         return map;
     }
 
@@ -102,15 +107,27 @@ private:
             const auto& border = m_technique.border[static_cast<std::size_t>(slice % m_technique.slices)];
             const BlurPasses passes =
                 blurPasses(binomialKernel(kBlurTaps), depths.area(), depths.area(), border, slice);
-            blur(map, halfway, passes.across);
-            blur(halfway, map, passes.down);
+            blur(*m_blur, map, halfway, passes.across);
+            blur(*m_blur, halfway, map, passes.down);
         }
     }
 
-    void blur(const Texture& from, const Texture& to, const Pass<BlurBlock>& pass) const
+    // As the Z-Max test of ESM needs them.
+    Texture greatestDepths(const LightDepths& depths) const
+    {
+        const Texture across = support::makeTexture(m_gpu, depths.linear.size, depths.linear.format);
+        Texture greatest = support::makeTexture(m_gpu, depths.linear.size, depths.linear.format);
+        const BlurPasses passes = blurPasses(boxKernel(kBlurTaps, false), depths.area(), depths.area(), glm::vec4(1.0f),
+                                             0, depths.faceCount());
+        blur(*m_maximum, depths.linear, across, passes.across);
+        blur(*m_maximum, across, greatest, passes.down);
+        return greatest;
+    }
+
+    void blur(const Kernel& kernel, const Texture& from, const Texture& to, const Pass<BlurBlock>& pass) const
     {
         const Buffer block = support::makeBufferOf(m_gpu, std::vector{pass.block});
-        runPass(*m_blur,
+        runPass(kernel,
                 {support::sampledAt(0, from.array, m_linear), support::storageAt(1, to.array),
                  support::uniformAt(2, block)},
                 pass.groups);
@@ -123,6 +140,7 @@ private:
     std::optional<Kernel> m_store;
     std::optional<Kernel> m_fused;
     std::optional<Kernel> m_blur;
+    std::optional<Kernel> m_maximum;
 };
 
 } // namespace

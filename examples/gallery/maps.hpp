@@ -14,8 +14,10 @@ namespace lvsm::gallery
 struct Maps
 {
     Texture map;
-    /// Of Making::BlurredBeside alone.
-    std::optional<Texture> unfiltered;
+    /// Of Making::BlurredBeside and BlurredWithGreatest.
+    std::optional<Texture> unfiltered{};
+    /// Of the latter alone.
+    std::optional<Texture> greatest{};
 };
 
 /// The passes of one technique.

@@ -27,7 +27,7 @@ public:
         Texture map = support::makeTexture(m_gpu, depths.buffer.size, m_technique.texel->format);
         for (int face = 0; face < depths.faceCount(); ++face)
             makeFace(depths, face, map);
-        return {std::move(map), {}};
+        return {std::move(map)};
     }
 
 private:

@@ -70,7 +70,7 @@ TechniqueRunner::TechniqueRunner(const VulkanContext& gpu, const Technique& tech
       m_shade(gpu, compileShading(technique),
               bindingsOf({Type::eUniformBuffer, Type::eUniformBuffer, Type::eUniformBuffer, Type::eCombinedImageSampler,
                           Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
-                          Type::eCombinedImageSampler, Type::eStorageImage})),
+                          Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageImage})),
       m_sampler(support::makeSampler(gpu, isMixture(technique) ? vk::Filter::eNearest : vk::Filter::eLinear))
 {
 }
@@ -83,14 +83,15 @@ std::vector<glm::vec2> TechniqueRunner::run(const Light& light, const Buffer& li
                                0.0f};
     const Buffer block = support::makeBufferOf(m_gpu, std::vector{shading});
     const Texture result = support::makeTexture(m_gpu, surface.positions().size, vk::Format::eR32G32Sfloat);
-    // A wrapper that needs one map does not look at the other.
-    auto bindings = sampled({&maps.map, maps.unfiltered ? &*maps.unfiltered : &depths.linear, &surface.positions(),
-                             &surface.alongX(), &surface.alongY()},
+    // A wrapper that needs one map does not look at the others.
+    auto bindings = sampled({&maps.map, maps.unfiltered ? &*maps.unfiltered : &depths.linear,
+                             maps.greatest ? &*maps.greatest : &depths.linear, &surface.positions(), &surface.alongX(),
+                             &surface.alongY()},
                             3, m_sampler);
     bindings.push_back(support::uniformAt(0, lightBlock));
     bindings.push_back(support::uniformAt(1, block));
     bindings.push_back(support::uniformAt(2, splits));
-    bindings.push_back(support::storageAt(8, result.array));
+    bindings.push_back(support::storageAt(9, result.array));
     runOver(m_shade, bindings, result.size);
     return support::readTexels<glm::vec2>(m_gpu, result);
 }

@@ -55,6 +55,9 @@ const char* const kLayered = "lvsm_sampleLayers(map, at, depth, splits, lvsm_lay
 const char* const kBracketed = "lvsm_sampleBracketed(map, at, depth, splits, lvsm_layerCount, false, MIN_VARIANCE)";
 const char* const kPlane = "lvsm_samplePlane(map, at, depth, gradient, splits, lvsm_layerCount, false, 1.4142136,"
                            " MIN_VARIANCE, 0.15)";
+// A lit plane's own depths, five texels away, are no failure.
+const char* const kZMax = "lvsm_sampleEsmZMax(map, unfiltered, greatest, at, depth, 80.0,"
+                          " 2.0 * bias + 5.0 * (abs(gradient.x) + abs(gradient.y)))";
 
 const std::vector<glm::vec4> kOnes{glm::vec4(1.0f)};
 
@@ -132,9 +135,11 @@ std::vector<Technique> table()
         {"evsm4", "EVSM4", "The lesser of the bounds from a positive and a negative exponential warp.", &kRgba32f, 1,
          blurred, kWarped, "lvsm_sampleExponential4(map, at, depth, vec2(43.3, 10.0), MIN_VARIANCE)", &kBlur, warped,
          none, true},
-        {"esm", "ESM", "One exponential term, and four comparisons where it is seen to fail.", &kR32f, 1,
+        {"esm", "ESM", "One exponential term, and four comparisons where the result is seen to exceed 1.", &kR32f, 1,
          Making::BlurredBeside, kTerm, "lvsm_sampleEsm(map, unfiltered, at, depth, 80.0, 0.02)", &kBlur, term, none,
          true},
+        {"esm-zmax", "ESM, Z-Max", "Four comparisons wherever a map of greatest depths has one beyond the receiver.",
+         &kR32f, 1, Making::BlurredWithGreatest, kTerm, kZMax, &kBlur, term, none, false},
         {"csm", "CSM-16", "The step as a Fourier series of sixteen terms.", &kRgba8, 8, blurred, kFourier,
          "lvsm_sampleConvolution(map, at, depth, 16, lvsm_fourierOffset(16), 0.0, 1.0)", &kBlur, fourierBorder(), none,
          true},

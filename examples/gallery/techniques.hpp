@@ -34,6 +34,8 @@ enum class Making
     Blurred,
     /// The same, and beside the map the unblurred one.
     BlurredBeside,
+    /// The same, and the greatest depths under the blur.
+    BlurredWithGreatest,
     /// Mixtures, whose window is their blur.
     Mixed
 };

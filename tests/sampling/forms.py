@@ -66,7 +66,7 @@ def separate_function(function):
     function = re.sub(rf"\b(lvsm_\w+\((?:(?:{names})(?:, )?)+(?<!, ))(?=[,)])", r"\1, filtering", function)
     function = re.sub(rf"\b(texture\w+|texelFetch)\(({names}),",
                       lambda m: f"{m[1]}({maps[m[2]]}({m[2]}, filtering),", function)
-    function = re.sub(rf"({MAP.pattern}(?:, {MAP.pattern})*)", r"\1, sampler filtering", function, count=1)
+    function = re.sub(rf"({MAP.pattern}(?:,\s+{MAP.pattern})*)", r"\1, sampler filtering", function, count=1)
     return rewrapped(MAP.sub(r"\1texture\2 \3", function))
 
 

@@ -133,7 +133,8 @@ bool checkWrappersOf(const Options& options)
     for (const auto& [name, pixels] : {std::pair<const char*, const Pixels*>("receivers", &inputs),
                                        {"map", &maps.map},
                                        {"slices", &maps.slices},
-                                       {"unfiltered", &maps.unfiltered}})
+                                       {"unfiltered", &maps.unfiltered},
+                                       {"greatest", &maps.greatest}})
     {
         glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
         makeGlTexture(*pixels, pixels->slices > 1);

@@ -42,7 +42,8 @@ bool Web::checkWrappersOf(const Place& place, const std::vector<Receiver>& recei
         {"receivers", 0, this->receivers(inputs, kInputs)},
         {"map", 4, m_script.texture(maps.map, false)},
         {"slices", 5, m_script.texture(alone ? maps.slices : placed(maps.slices, place), true)},
-        {"unfiltered", 6, m_script.texture(alone ? maps.unfiltered : placed(maps.unfiltered, place), true)}};
+        {"unfiltered", 6, m_script.texture(alone ? maps.unfiltered : placed(maps.unfiltered, place), true)},
+        {"greatest", 7, m_script.texture(alone ? maps.greatest : placed(maps.greatest, place), true)}};
     const int target = m_script.texture(Pixels(count, kResults), false);
     m_script.run(program, sources, {}, {target}, {0, 0, count, kResults}, {(count + 63) / 64, 1, 1});
     const Pixels drawn = m_script.read(target);

@@ -6,16 +6,16 @@ namespace sampling
 namespace
 {
 
-std::vector<Binding> bind(const Form& form, const Texture (&textures)[3], vk::Sampler sampler)
+std::vector<Binding> bind(const Form& form, const Texture (&textures)[4], vk::Sampler sampler)
 {
     const bool combined = form.name == "combined";
     const auto type = combined ? vk::DescriptorType::eCombinedImageSampler : vk::DescriptorType::eSampledImage;
     const vk::Sampler own = combined ? sampler : vk::Sampler();
     std::vector<Binding> bindings;
-    for (std::uint32_t i = 0; i < 3; ++i)
+    for (std::uint32_t i = 0; i < 4; ++i)
         bindings.push_back({2 + i, type, {}, i == 0 ? *textures[i].flat : *textures[i].array, own});
     if (!combined)
-        bindings.push_back({5, vk::DescriptorType::eSampler, {}, {}, sampler});
+        bindings.push_back({6, vk::DescriptorType::eSampler, {}, {}, sampler});
     return bindings;
 }
 
@@ -31,7 +31,8 @@ std::vector<float> run(VulkanContext& context, const Form& form, const Maps& map
     const bool alone = place.width == kSize;
     const Texture textures[] = {makeTexture(context, maps.map),
                                 makeTexture(context, alone ? maps.slices : placed(maps.slices, place)),
-                                makeTexture(context, alone ? maps.unfiltered : placed(maps.unfiltered, place))};
+                                makeTexture(context, alone ? maps.unfiltered : placed(maps.unfiltered, place)),
+                                makeTexture(context, alone ? maps.greatest : placed(maps.greatest, place))};
     const auto sampler = makeSampler(context);
     const Buffer input = makeBufferOf(context, inputs);
     const Buffer output = makeBufferOf(context, std::vector<float>(receivers.size() * kResults));

@@ -91,7 +91,7 @@ glm::vec4 Place::rectangle() const
 std::vector<glm::vec4> inputsOf(const Receiver& receiver, const Place& place)
 {
     return {glm::vec4(receiver.uv, receiver.depth, std::ldexp(1.0, receiver.level) / kSize),
-            glm::vec4(receiver.exponent, receiver.threshold, 0, 0), place.rectangle(),
+            glm::vec4(receiver.exponent, receiver.threshold, receiver.offset, 0), place.rectangle(),
             glm::vec4(receiver.direction, receiver.tangent)};
 }
 
@@ -108,6 +108,7 @@ Maps makeMaps()
             const float depth = random.next();
             storeTexel(maps.slices, x, y, level, depth, random.next(), random);
             maps.map.at(x, y, 0, level) = maps.slices.at(x, y, kDepths, level);
+            maps.greatest.at(x, y, kTerms, level) = glm::vec4(0.8f * random.next());
         }
     }
     maps.unfiltered = maps.slices;

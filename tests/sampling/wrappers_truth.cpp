@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sampling
@@ -93,16 +94,41 @@ double pcfVisibility(const Maps& maps, const Receiver& receiver, double deviatio
     return lit / all;
 }
 
-double esmVisibility(const Maps& maps, const Receiver& receiver)
+double fourTerms(const Maps& maps, const Receiver& receiver)
 {
-    const double exponent = receiver.exponent;
-    const double empty = lvsm::occluderTerm(1.0, exponent);
-    const double occluder = filteredTexel(maps.slices, receiver, kTerms, Vec4(empty)).x;
-    if (!lvsm::violatesThreshold(occluder, receiver.depth, exponent, receiver.threshold))
-        return lvsm::exponentialShadow(occluder, receiver.depth, exponent);
+    const double empty = lvsm::occluderTerm(1.0, receiver.exponent);
     const Vec2 fraction = receiver.uv * double(kSize) - 0.5 - cornerOf(receiver.uv);
     return lvsm::exponentialShadow2x2(gatheredTexels(maps.unfiltered, receiver.uv, kTerms, empty), fraction,
-                                      receiver.depth, exponent);
+                                      receiver.depth, receiver.exponent);
+}
+
+double filteredTerm(const Maps& maps, const Receiver& receiver)
+{
+    return filteredTexel(maps.slices, receiver, kTerms, Vec4(lvsm::occluderTerm(1.0, receiver.exponent))).x;
+}
+
+double esmVisibility(const Maps& maps, const Receiver& receiver)
+{
+    const double occluder = filteredTerm(maps, receiver);
+    if (lvsm::violatesThreshold(occluder, receiver.depth, receiver.exponent, receiver.threshold))
+        return fourTerms(maps, receiver);
+    return lvsm::exponentialShadow(occluder, receiver.depth, receiver.exponent);
+}
+
+double esmZMaxVisibility(const Maps& maps, const Receiver& receiver)
+{
+    double greatest = 0;
+    for (const int level : {0, receiver.level})
+    {
+        const Vec2 corner = glm::floor(receiver.uv * double(kSize >> level) - 0.5);
+        for (int i = 0; i < 4; ++i)
+            greatest = std::max(greatest, texelOrBorder(maps.greatest, static_cast<int>(corner.x) + i % 2,
+                                                        static_cast<int>(corner.y) + i / 2, kTerms, level, Vec4(1))
+                                              .x);
+    }
+    if (lvsm::violatesZMax(receiver.depth, greatest, receiver.offset))
+        return fourTerms(maps, receiver);
+    return lvsm::exponentialShadow(filteredTerm(maps, receiver), receiver.depth, receiver.exponent);
 }
 
 // The table of OpenGL, Vulkan and Direct3D: axes of s and t of the faces +x, -x, +y, -y, +z, -z.
@@ -201,6 +227,7 @@ bool compareWrappers(const Maps& maps, const std::vector<Receiver>& receivers, c
     Comparison pcf("samplePcf");
     Comparison gaussian("samplePcf of a Gaussian");
     Comparison esm("sampleEsm");
+    Comparison zMax("sampleEsmZMax");
     Comparison faces("cubePoint");
     Comparison floors("LVSM_MIN_VARIANCE and LVSM_MIN_VARIANCE_FP16");
     // Rounded up, and by no more than that.
@@ -245,8 +272,9 @@ bool compareWrappers(const Maps& maps, const std::vector<Receiver>& receivers, c
         gaussian.expect(static_cast<double>(result[23]), pcfVisibility(maps, receiver, 1.25), 25 * 12 * rounding,
                         where);
         // Two exponentials of up to the exponent: each is 3 + 2 * exponent units in the last place off.
-        esm.expect(static_cast<double>(result[24]), esmVisibility(maps, receiver),
-                   2 * (3 + 2 * receiver.exponent) / (1 << 23) + rounding, where);
+        const double ofTerms = 2 * (3 + 2 * receiver.exponent) / (1 << 23) + rounding;
+        esm.expect(static_cast<double>(result[24]), esmVisibility(maps, receiver), ofTerms, where);
+        zMax.expect(static_cast<double>(result[50]), esmZMaxVisibility(maps, receiver), ofTerms, where);
         // The variance floor in a layer is at least 0.01 / 0.375^2 = 0.07, over which the bound divides the errors of
         // about five moments' roundings, twice for two layers.
         if (components == 4)
@@ -255,7 +283,7 @@ bool compareWrappers(const Maps& maps, const std::vector<Receiver>& receivers, c
         compareFace(faces, receiver, result + 41, where);
     }
     bool passed = samples.passed();
-    for (const Comparison* comparison : {&gathers, &fractions, &pcf, &gaussian, &esm, &faces, &floors})
+    for (const Comparison* comparison : {&gathers, &fractions, &pcf, &gaussian, &esm, &zMax, &faces, &floors})
         passed = comparison->passed() && passed;
     if (components == 4)
         passed = layers.passed() && passed;

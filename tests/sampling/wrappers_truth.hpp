@@ -11,7 +11,7 @@ namespace sampling
 
 constexpr int kSize = 8;
 // Of one receiver, in the order of kernels/wrappers.glsl.
-constexpr int kResults = 50;
+constexpr int kResults = 51;
 constexpr int kInputs = 4;
 constexpr int kLayers = 4;
 constexpr double kExponent = 20.0;
@@ -41,7 +41,7 @@ enum Slice
 constexpr int kFourierOrder = 6;
 constexpr double kMomentBias = 0.001;
 
-// exponent, threshold: of ESM. direction, tangent: of a cube's face.
+// exponent, threshold, offset: of ESM. direction, tangent: of a cube's face.
 struct Receiver
 {
     glm::dvec2 uv;
@@ -49,6 +49,7 @@ struct Receiver
     int level = 0;
     double exponent = kExponent;
     double threshold = 0.02;
+    double offset = 0.05;
     glm::vec3 direction = {1, 0, 0};
     float tangent = 1;
 };
@@ -76,6 +77,8 @@ struct Maps
     // kTerms is blurred by a box of 3 x 3 in the first, and as stored in the second.
     Pixels slices{kSize, kSize, kSliceCount, 2};
     Pixels unfiltered{kSize, kSize, kSliceCount, 2};
+    // Depths in kTerms. Level 1 is none of the greatest of level 0, so that both count.
+    Pixels greatest{kSize, kSize, kSliceCount, 2};
 };
 
 Maps makeMaps();

@@ -22,10 +22,11 @@ layout(set = 0, binding = 1) uniform Shading
 };
 layout(set = 0, binding = 3) uniform MAP_TYPE map;
 layout(set = 0, binding = 4) uniform sampler2DArray unfiltered;
-layout(set = 0, binding = 5) uniform sampler2DArray positions;
-layout(set = 0, binding = 6) uniform sampler2DArray alongX;
-layout(set = 0, binding = 7) uniform sampler2DArray alongY;
-layout(set = 0, binding = 8, rg32f) uniform writeonly image2DArray target;
+layout(set = 0, binding = 5) uniform sampler2DArray greatest;
+layout(set = 0, binding = 6) uniform sampler2DArray positions;
+layout(set = 0, binding = 7) uniform sampler2DArray alongX;
+layout(set = 0, binding = 8) uniform sampler2DArray alongY;
+layout(set = 0, binding = 9, rg32f) uniform writeonly image2DArray target;
 
 void main()
 {

@@ -10,17 +10,21 @@ layout(local_size_x = 1) in;
 layout(binding = 2) uniform texture2D map;
 layout(binding = 3) uniform texture2DArray slices;
 layout(binding = 4) uniform texture2DArray unfiltered;
-layout(binding = 5) uniform sampler filtering;
+layout(binding = 5) uniform texture2DArray greatest;
+layout(binding = 6) uniform sampler filtering;
 #define MAP map, filtering
 #define SLICES slices, filtering
 #define ESM slices, unfiltered, filtering
+#define ZMAX slices, unfiltered, greatest, filtering
 #else
 layout(binding = 2) uniform sampler2D map;
 layout(binding = 3) uniform sampler2DArray slices;
 layout(binding = 4) uniform sampler2DArray unfiltered;
+layout(binding = 5) uniform sampler2DArray greatest;
 #define MAP map
 #define SLICES slices
 #define ESM slices, unfiltered
+#define ZMAX slices, unfiltered, greatest
 #endif
 layout(std430, binding = 0) readonly buffer Inputs { vec4 receivers[]; };
 layout(std430, binding = 1) writeonly buffer Outputs { float outputs[]; };

@@ -4,12 +4,14 @@ uniform highp sampler2D receivers;
 uniform highp sampler2D map;
 uniform highp sampler2DArray slices;
 uniform highp sampler2DArray unfiltered;
+uniform highp sampler2DArray greatest;
 layout(location = 0) out vec4 result;
 
 #define COMPONENTS 4
 #define MAP map
 #define SLICES slices
 #define ESM slices, unfiltered
+#define ZMAX slices, unfiltered, greatest
 CALL_WRAPPERS
 
 void main()

@@ -1,8 +1,8 @@
-// Calls every wrapper for one receiver, in GLSL and HLSL. MAP, SLICES and ESM are the maps as a wrapper takes them;
+// Calls every wrapper for one receiver, in GLSL and HLSL. MAP, SLICES, ESM and ZMAX are the maps as a wrapper takes them;
 // COMPONENTS is how many they have, since HLSL's types say it, and 4 elsewhere.
-// inputs: uv, depth, change of the coordinates to the next pixel; exponent and threshold of ESM; the
+// inputs: uv, depth, change of the coordinates to the next pixel; exponent, threshold and offset of ESM; the
 // rectangle; a direction and the tangent of a cube's face.
-#define RESULTS 50
+#define RESULTS 51
 
 void putFour(inout float results[RESULTS], int first, vec4 value)
 {
@@ -73,4 +73,5 @@ void callWrappers(vec4 inputs[4], out float results[RESULTS])
     results[47] = float(face.slice);
     results[48] = lvsm_sampleSlice(SLICES, face, 0, vec4(9.0, 9.0, 9.0, 9.0)).x;
     results[49] = LVSM_MIN_VARIANCE;
+    results[50] = lvsm_sampleEsmZMax(ZMAX, terms, depth, inputs[1].x, inputs[1].z);
 }

@@ -16,10 +16,12 @@ RWStructuredBuffer<float> outputs : register(u1);
 Texture2D<TEXEL> map : register(t2);
 Texture2DArray<TEXEL> slices : register(t3);
 Texture2DArray<TEXEL> unfiltered : register(t4);
-SamplerState filtering : register(s5);
+Texture2DArray<TEXEL> greatest : register(t5);
+SamplerState filtering : register(s6);
 #define MAP map, filtering
 #define SLICES slices, filtering
 #define ESM slices, unfiltered, filtering
+#define ZMAX slices, unfiltered, greatest, filtering
 // The calls are written in GLSL.
 #define vec2 float2
 #define vec3 float3

@@ -1,6 +1,6 @@
 // Calls every wrapper for one receiver an invocation, as wrappers.glsl does; it stands behind lvsm_separate.wgsl. The
 // receivers' inputs are a row each, the results a column each.
-const RESULTS: i32 = 50;
+const RESULTS: i32 = 51;
 alias Results = array<f32, RESULTS>;
 
 @group(0) @binding(0) var receivers: texture_2d<f32>;
@@ -9,6 +9,7 @@ alias Results = array<f32, RESULTS>;
 @group(0) @binding(4) var map: texture_2d<f32>;
 @group(0) @binding(5) var slices: texture_2d_array<f32>;
 @group(0) @binding(6) var unfiltered: texture_2d_array<f32>;
+@group(0) @binding(7) var greatest: texture_2d_array<f32>;
 
 fn putFour(results: ptr<function, Results>, first: i32, value: vec4f)
 {
@@ -81,6 +82,8 @@ fn callWrappers(inputs: array<vec4f, 4>, results: ptr<function, Results>)
     (*results)[47] = f32(face.slice);
     (*results)[48] = lvsm_sampleSlice(slices, filtering, face, 0, vec4f(9.0, 9.0, 9.0, 9.0)).x;
     (*results)[49] = LVSM_MIN_VARIANCE;
+    (*results)[50] = lvsm_sampleEsmZMax(slices, unfiltered, greatest, filtering, terms, depth, inputs[1].x,
+                                        inputs[1].z);
 }
 
 @compute @workgroup_size(64)
