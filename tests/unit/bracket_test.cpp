@@ -64,7 +64,7 @@ TEST_CASE("bracketed visibility bounds every distribution for any contiguous lay
 {
     Random random(111);
     Tally tally;
-    for (int i = 0; i < 1000000; ++i)
+    for (int i = 0; i < drawsOf(1000000); ++i)
     {
         double splits[8];
         const int layerCount = randomSplits(random, splits);
@@ -268,7 +268,7 @@ TEST_CASE("with all of the depth in one layer the bounded estimate is boundedUpp
 {
     Random random(118);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const double t = random.unit<double>();
         const double floor = i % 3 == 0 ? 0.0 : 0.25 * random.unit<double>() * random.unit<double>();
@@ -286,7 +286,7 @@ TEST_CASE("the bounded estimate bounds what is left as boundedUpperBound does it
 {
     Random random(119);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const DepthWindow window = DepthWindow::onGrid(random);
         const double splits[] = {0, 0.25, 0.75, 1};
@@ -378,7 +378,7 @@ TEST_CASE("contiguous layers contain every coarser layering exactly")
 {
     Random random(113);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         double splits[8];
         const int layerCount = randomSplits(random, splits);
@@ -409,7 +409,7 @@ TEST_CASE("bracketedVisibility2 is bracketedVisibility for two layers")
 {
     Random random(114);
     Tally tally;
-    for (int i = 0; i < 200000; ++i)
+    for (int i = 0; i < drawsOf(200000); ++i)
     {
         const DepthWindow window = DepthWindow::onGrid(random);
         const double splits[] = {0, random.between(4, 28) / 32.0, 1};
@@ -439,7 +439,7 @@ TEST_CASE("blending to the union of two layers leaves no seam at their split")
     Random random(115);
     Tally tally;
     double largest = 0;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const DepthWindow window = DepthWindow::onGrid(random);
         const double splits[] = {0, 0.5, 1};
@@ -469,7 +469,7 @@ TEST_CASE_TEMPLATE("compactMoments come back, and fill the unit interval", T, fl
     Random random(116);
     Tally tally;
     T least = 1, most = 0;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<T> moments = GridDistribution(random).moments<T>();
         const Vec2<T> compact = compactMoments(moments);
@@ -501,7 +501,7 @@ TEST_CASE("compactMoments keep the variance better in eight bits")
     const double e = 0.5 / 255;
     Tally tally;
     double plain = 0, compact = 0;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<double> moments = GridDistribution(random).moments<double>();
         const double error = spread(expandMoments(unorm8(compactMoments(moments)))) - spread(moments);

@@ -294,7 +294,7 @@ TEST_CASE_TEMPLATE("8 bits keep a term within half a step, and the middle and en
         CHECK(std::abs(throughUnorm8(exact) - exact) <= 4 * std::numeric_limits<T>::epsilon());
     Random random(14);
     Tally tally;
-    for (int i = 0; i < 10000; ++i)
+    for (int i = 0; i < drawsOf(10000); ++i)
     {
         const T term = 2 * random.unit<T>() - 1;
         tally.claim(std::abs(throughUnorm8(term) - term) <= T(0.5) / 127 + 8 * std::numeric_limits<T>::epsilon(), term);
@@ -324,7 +324,7 @@ TEST_CASE_TEMPLATE("convolution shadow maps stay in range for any arguments", T,
     {
         tally.claim(value >= lo && value <= hi, value, lo, hi);
     };
-    for (int i = 0; i < 50000; ++i)
+    for (int i = 0; i < drawsOf(50000); ++i)
     {
         within(fourierSines(any(), integer(), integer()).w, -1, 1);
         within(fourierCosines(any(), integer(), integer()).x, -1, 1);

@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE("linstep never falls and never leaves its ends open", T, floa
 {
     Random random(1);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const T lo = random.unit<T>();
         const T hi = random.unit<T>();

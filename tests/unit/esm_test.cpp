@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("neither test flags a window that holds nothing beyond the re
 {
     Random random(7);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const Window window = randomWindow(random);
         const T receiver = T(*std::max_element(window.depths.begin(), window.depths.end()));
@@ -254,7 +254,7 @@ TEST_CASE_TEMPLATE("the log-space filter agrees with the linear one where that i
 {
     Random random(8);
     Tally tally;
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < drawsOf(5000); ++i)
     {
         const Window window = randomWindow(random);
         const T c = T(1 + 80 * random.unit<double>());
@@ -279,7 +279,7 @@ TEST_CASE_TEMPLATE("the log-space filter is stable for any c", T, float, double)
 {
     Random random(9);
     Tally tally;
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < drawsOf(5000); ++i)
     {
         const Window window = randomWindow(random);
         const auto [least, greatest] = std::minmax_element(window.depths.begin(), window.depths.end());
@@ -337,7 +337,7 @@ TEST_CASE_TEMPLATE("exponential shadow maps stay in range for any arguments", T,
     {
         tally.claim(visibility >= 0 && visibility <= 1, visibility);
     };
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         visible(exponentialShadow(any(), any(), any()));
         visible(exponentialShadow2x2(Vec4<T>(any(), any(), any(), any()), Vec2<T>(any(), any()), any(), any()));

@@ -159,7 +159,7 @@ TEST_CASE_TEMPLATE("exponential visibility bounds the lit share of every distrib
         {
             return Exact(exponentialWarp(depth, c).y);
         };
-        for (int i = 0; i < 10000; ++i)
+        for (int i = 0; i < drawsOf(10000); ++i)
         {
             const Distribution<T> window(random);
             // With -ffast-math exp is not the same everywhere, in vectors and alone, which a floor bears; where it is no
@@ -194,7 +194,7 @@ TEST_CASE_TEMPLATE("a flat lit receiver stays lit at every depth and exponent", 
     const T minVariance = T(1.0e-6);
     for (const Vec2<T>& c : exponentPairs<T>())
     {
-        for (int i = 0; i < 20000; ++i)
+        for (int i = 0; i < drawsOf(20000); ++i)
         {
             // As often close to either end, where one warp is least.
             const T near = std::ldexp(random.unit<T>(), -random.between(0, 12));
@@ -222,7 +222,7 @@ TEST_CASE_TEMPLATE("exponentialVisibility4 is the lesser of the bounds of its tw
     Tally tally;
     int positiveIsLess = 0;
     int negativeIsLess = 0;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const Vec2<T> c(5 + random.unit<T>(), 5 + random.unit<T>());
         Vec4<T> moments(0);
@@ -240,8 +240,8 @@ TEST_CASE_TEMPLATE("exponentialVisibility4 is the lesser of the bounds of its tw
         negativeIsLess += n < p;
     }
     LVSM_CHECK_TALLY(tally);
-    CHECK(positiveIsLess > 1000);
-    CHECK(negativeIsLess > 1000);
+    CHECK(positiveIsLess > drawsOf(1000));
+    CHECK(negativeIsLess > drawsOf(1000));
 }
 
 TEST_CASE_TEMPLATE("without its minus sign the negative warp would darken what is lit", T, float, double)

@@ -125,7 +125,7 @@ TEST_CASE_TEMPLATE("boxWeight adds up to one wherever the box is centred", T, fl
 {
     Random random(3);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const T width = T(0.01) + T(12) * random.unit<T>();
         const T centre = random.unit<T>();
@@ -155,7 +155,7 @@ TEST_CASE_TEMPLATE("linearPair gives one fetch that is worth two taps", T, float
 {
     Random random(4);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<T> w(random.unit<T>(), random.unit<T>());
         const Vec2<T> pair = linearPair(w.x, w.y);

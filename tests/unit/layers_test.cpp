@@ -157,7 +157,7 @@ TEST_CASE_TEMPLATE("one layer is a plain variance shadow map, exactly", T, float
 {
     Random random(22);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<T> interval = layerInterval(T(0), T(1), random.unit<T>());
         const T stored = random.unit<T>();
@@ -178,7 +178,7 @@ TEST_CASE_TEMPLATE("a layer is exact for occluders in front of it and the receiv
     // that warped depths are 8ths and everything is exact.
     Random random(23);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const int begin = 8 * random.between(0, 3);
         const int receiver = random.between(begin + 1, begin + 8);
@@ -255,7 +255,7 @@ TEST_CASE_TEMPLATE("every layer bounds the visibility of every receiver", T, flo
 {
     Random random(25);
     Tally tally;
-    for (int i = 0; i < 30000; ++i)
+    for (int i = 0; i < drawsOf(30000); ++i)
     {
         const Distribution<T> window(random);
         const Layering<T> layering = randomLayering<T>(random, random.between(1, 5));
@@ -282,7 +282,7 @@ TEST_CASE_TEMPLATE("layered visibility never rises with depth and never falls wi
 {
     Random random(26);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const Layering<T> layering = randomLayering<T>(random, random.between(1, 4));
         const Vec2<T> interval = layering.interval(random.between(0, layering.count() - 1));
@@ -438,10 +438,10 @@ TEST_CASE_TEMPLATE("uniformLayerIndex agrees with layerIndex for any depth", T, 
     for (int count = 1; count <= 64; ++count)
     {
         const IndexAgreement<T> agreement(count);
-        for (int i = 0; i < 20000; ++i)
+        for (int i = 0; i < drawsOf(20000); ++i)
             agreement.claimAt(random.unit<T>(), tally);
         // Every magnitude, subnormals and depths outside [0,1] too.
-        for (int i = 0; i < 5000; ++i)
+        for (int i = 0; i < drawsOf(5000); ++i)
             agreement.claimAt(random.finitePattern<T>(), tally);
         for (const T depth : specialValues<T>())
             if (!std::isnan(depth))
@@ -462,7 +462,7 @@ TEST_CASE_TEMPLATE("two layers packed in a texel come back bit for bit", T, floa
 {
     Random random(29);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         // Quiet or signalling, a NaN's bits may change in a register; all else may not.
         const Vec2<T> even(random.finitePattern<T>(), random.finitePattern<T>());
@@ -567,7 +567,7 @@ TEST_CASE_TEMPLATE("a blend stays in the unit interval whatever it is given", T,
 {
     Random random(31);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const T weight = 2 * random.unit<T>() - 1;
         tally.claim(blendTransition(T(1), T(1), weight) <= T(1), weight);
@@ -641,7 +641,7 @@ TEST_CASE_TEMPLATE("a flat lit receiver in a low-bit layer stays within the reco
     Random random(33);
     Tally tally;
     const T worstDarkening = T(0.05);
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<T> interval(T(0.5), T(0.625));
         const T length = interval.y - interval.x;

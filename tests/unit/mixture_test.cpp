@@ -134,7 +134,7 @@ TEST_CASE("a coded slope is the nearest by its signed root, and within the round
 {
     Random random(910);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const auto any = [&]
         {
@@ -264,7 +264,7 @@ TEST_CASE("mixtureVisibility is the mean of planeLight by planeWeight, but for w
 {
     Random random(917);
     Tally tally;
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < drawsOf(5000); ++i)
     {
         const auto unit = [&]
         {
@@ -544,7 +544,7 @@ TEST_CASE_TEMPLATE("any bits are a code, and any numbers a receiver, NaN and inf
 {
     Random random(915);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const auto any = [&]
         {
@@ -708,7 +708,7 @@ TEST_CASE("light is the same in a mirror, along either axis")
 {
     Random random(182);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const auto one = [&]
         {

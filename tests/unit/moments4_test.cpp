@@ -97,7 +97,7 @@ TEST_CASE("hamburgerUpperBound bounds every distribution but for the bias")
     Random random(141);
     Tally tally;
     const double bias = 1e-6;
-    for (int i = 0; i < 1000000; ++i)
+    for (int i = 0; i < drawsOf(1000000); ++i)
     {
         const Window window(random);
         const double t = window.receiver(random);
@@ -111,7 +111,7 @@ TEST_CASE("hamburgerUpperBound is what the Hankel system gives")
 {
     Random random(142);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Window window(random);
         const double bias = 0.05;
@@ -130,7 +130,7 @@ TEST_CASE("hamburgerUpperBound is exact for two occluders and a receiver")
 {
     Random random(143);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const double first = 0.05 + 0.25 * random.unit<double>();
         const double second = first + 0.1 + 0.2 * random.unit<double>();
@@ -150,7 +150,7 @@ TEST_CASE("four moments are never worse than two")
 {
     Random random(144);
     Tally tally;
-    for (int i = 0; i < 200000; ++i)
+    for (int i = 0; i < drawsOf(200000); ++i)
     {
         const Window window(random);
         const double t = 2 * window.receiver(random) - 1;
@@ -167,7 +167,7 @@ TEST_CASE("hamburgerUpperBound falls with depth")
 {
     Random random(145);
     Tally tally;
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < drawsOf(5000); ++i)
     {
         const Vec4<double> moments = Window(random).moments({0.0, 1.0});
         double before = 1;
@@ -217,7 +217,7 @@ TEST_CASE("the norms of the polynomials are at least what the bias brings")
 {
     Random random(148);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec4<double> moments = Window(random).moments({0.0, 1.0});
         const double bias = 0.01;
@@ -333,7 +333,7 @@ TEST_CASE("bracketed four moments bound every distribution but for the bias")
     Tally tally;
     const double bias = 1e-6;
     double bracketed = 0, single = 0;
-    for (int i = 0; i < 1000000; ++i)
+    for (int i = 0; i < drawsOf(1000000); ++i)
     {
         const Window window(random);
         const double t = window.receiver(random);
@@ -356,7 +356,7 @@ TEST_CASE("bracketed four moments stay bounds in 16 bits")
     Random random(147);
     Tally tally;
     const double bias = kMoment4BiasUnorm16<double>;
-    for (int i = 0; i < 300000; ++i)
+    for (int i = 0; i < drawsOf(300000); ++i)
     {
         const Window window(random);
         const double t = window.receiver(random);

@@ -19,7 +19,7 @@ TEST_CASE_TEMPLATE("boundedUpperBound bounds every distribution on the unit inte
 {
     Random random(101);
     Tally tally;
-    for (int i = 0; i < 1000000; ++i)
+    for (int i = 0; i < drawsOf(1000000); ++i)
     {
         const GridDistribution window(random);
         const Vec2<T> moments = window.moments<T>();
@@ -39,7 +39,7 @@ TEST_CASE("boundedUpperBound is reached by a distribution on the unit interval")
     Random random(102);
     Tally tally;
     int three = 0;
-    for (int i = 0; i < 200000; ++i)
+    for (int i = 0; i < drawsOf(200000); ++i)
     {
         const double m1 = 0.001 + 0.998 * random.unit<double>();
         const double v = m1 * (1 - m1) * (0.001 + 0.998 * random.unit<double>());
@@ -69,7 +69,7 @@ TEST_CASE("boundedUpperBound is reached by a distribution on the unit interval")
         tally.claim(std::abs(boundedUpperBound(Vec2<double>(m1, m2), t, 0.0) - reached) < 1e-9, m1, m2, t, reached);
     }
     LVSM_CHECK_TALLY(tally);
-    CHECK(three > 10000);
+    CHECK(three > drawsOf(10000));
 }
 
 TEST_CASE_TEMPLATE("boundedUpperBound is exact for samples at 0 and 1 alone", T, float, double)
@@ -149,7 +149,7 @@ TEST_CASE_TEMPLATE("boundedUpperBound rises with the floor and falls with the re
 {
     Random random(103);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const GridDistribution window(random);
         const Vec2<T> moments = window.moments<T>();

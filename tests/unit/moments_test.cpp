@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("depthMomentsSloped stays within what depths in the unit inte
 {
     Random random(2);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const T depth = random.unit<T>();
         const Vec2<T> moments = depthMomentsSloped(depth, 4 * random.unit<T>() - 2, 4 * random.unit<T>() - 2);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("mean is the first moment and variance the spread of a distri
 {
     Random random(3);
     Tally tally;
-    for (int i = 0; i < 10000; ++i)
+    for (int i = 0; i < drawsOf(10000); ++i)
     {
         const GridDistribution window(random);
         const Vec2<T> moments = window.moments<T>();
@@ -198,7 +198,7 @@ TEST_CASE_TEMPLATE("no distribution breaks the Chebyshev bounds", T, float, doub
     Random random(4);
     Tally upper;
     Tally lower;
-    for (int i = 0; i < 200000; ++i)
+    for (int i = 0; i < drawsOf(200000); ++i)
     {
         const GridDistribution window(random);
         const Vec2<T> moments = window.moments<T>();
@@ -223,7 +223,7 @@ TEST_CASE_TEMPLATE("rounded moments break the Chebyshev bound by no more than th
     {
         return Exact(depth);
     };
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Distribution<T> window(random);
         const ExactMoments moments = window.moments(identity);
@@ -243,7 +243,7 @@ TEST_CASE_TEMPLATE("chebyshevLowerBound mirrors chebyshevUpperBound at the mean"
     // Mirroring the window, x -> 1 - x, turns P(x <= t) into P(x >= 1 - t). The two bounds then share their tail.
     Random random(6);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const GridDistribution window(random);
         const Vec2<T> moments = window.moments<T>();
@@ -262,7 +262,7 @@ TEST_CASE_TEMPLATE("the Chebyshev bounds never rise with the receiver's depth", 
 {
     Random random(7);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const Vec2<T> moments = GridDistribution(random).moments<T>();
         const T floor = random.unit<T>() / 64;
@@ -287,7 +287,7 @@ TEST_CASE_TEMPLATE("more variance never darkens the upper bound nor lights the l
 {
     Random random(8);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<T> moments = GridDistribution(random).moments<T>();
         const T t = random.unit<T>();
@@ -336,7 +336,7 @@ TEST_CASE_TEMPLATE("reduceLightBleeding rises with visibility and falls with its
 {
     Random random(9);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const T visibility = random.unit<T>();
         const T brighter = visibility + random.unit<T>() * (1 - visibility);
@@ -389,7 +389,7 @@ TEST_CASE_TEMPLATE("recommendedMinVariance keeps a flat lit receiver within the 
             Random random(11);
             Tally tally;
             T worst = 0;
-            for (int i = 0; i < 100000; ++i)
+            for (int i = 0; i < drawsOf(100000); ++i)
             {
                 const T anywhere = random.unit<T>();
                 // As often, where rounding is worst: half a step beside a stored value.

@@ -30,6 +30,15 @@ using Vec4 = glm::vec<4, T>;
 // Truth is worked out in this type.
 using Exact = long double;
 
+// How many of this many random inputs are drawn: all, but for an emulated processor (tests/configurations).
+#ifndef LVSM_UNIT_SHARE
+#define LVSM_UNIT_SHARE 1
+#endif
+constexpr int drawsOf(int count)
+{
+    return count / LVSM_UNIT_SHARE;
+}
+
 // Largest relative error of one rounding.
 template <typename T>
 constexpr Exact kRoundoff = std::numeric_limits<T>::epsilon() / Exact(2);

@@ -167,7 +167,7 @@ TEST_CASE_TEMPLATE("percentage-closer filtering stays in range for any arguments
     {
         return values[std::size_t(random.between(0, int(values.size()) - 1))];
     };
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec4<T> depths(any(), any(), any(), any());
         const Vec4<T> receivers(any(), any(), any(), any());

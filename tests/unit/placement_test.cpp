@@ -273,7 +273,7 @@ TEST_CASE_TEMPLATE("monotoneSplits makes any values valid", T, float, double)
 {
     Random random(50);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const int count = random.between(1, 8);
         std::vector<T> splits;
@@ -337,7 +337,7 @@ TEST_CASE_TEMPLATE("teleportSplits does what erase and insert on a list do", T, 
 {
     Random random(51);
     Tally tally;
-    for (int i = 0; i < 50000; ++i)
+    for (int i = 0; i < drawsOf(50000); ++i)
     {
         const int count = random.between(1, 9);
         std::vector<T> splits = sortedSplits<T>(random, count);

@@ -93,7 +93,7 @@ TEST_CASE("a slanted receiver sees what the window's samples show, whatever is i
         return low + (high - low) * random.unit<double>();
     };
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         SlantedWindow window;
         window.slope = between(-0.01, 0.01);

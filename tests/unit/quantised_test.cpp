@@ -26,7 +26,7 @@ TEST_CASE("the code has the first three moments, and the excess is what the four
 {
     Random random(161);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const double bias = 1e-3;
         const Vec4<double> b = (1 - bias) * momentsOf(DepthWindow(random)) + bias * Vec4<double>(0, 0.63, 0, 0.63);
@@ -54,7 +54,7 @@ TEST_CASE("without rounding quantised moments are worth as much as the moments")
 {
     Random random(162);
     Tally tally;
-    for (int i = 0; i < 300000; ++i)
+    for (int i = 0; i < drawsOf(300000); ++i)
     {
         const DepthWindow window(random);
         const double t = window.receiver(random);
@@ -118,7 +118,7 @@ TEST_CASE("any words unpack to a code")
 {
     Random random(163);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<int> words(random.between(-2000000000, 2000000000), random.between(-2000000000, 2000000000));
         const Vec4<float> code = unpackQuantised4<float>(words);
@@ -151,7 +151,7 @@ TEST_CASE("64 bits after the filter err less than before it, and 32 bits less th
 {
     Random random(164);
     double before = 0, after = 0, half = 0, bytes = 0;
-    for (int i = 0; i < 300000; ++i)
+    for (int i = 0; i < drawsOf(300000); ++i)
     {
         DepthWindow window(random);
         for (double& depth : window.depths)

@@ -14,7 +14,7 @@ TEST_CASE_TEMPLATE("receiverGradient recovers the plane of a receiver", T, float
 {
     Random random(121);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         // The Jacobian in whole numbers and the gradient in 1024ths: both derivatives of depth are exact.
         const auto number = [&]
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("shiftReceiver by the filter's reach goes in front of all of 
 {
     Random random(122);
     Tally tally;
-    for (int i = 0; i < 10000; ++i)
+    for (int i = 0; i < drawsOf(10000); ++i)
     {
         const Vec2<T> gradient(T(random.between(-16, 16)) / T(1024), T(random.between(-16, 16)) / T(1024));
         const T depth = T(random.between(0, 64)) / T(64);

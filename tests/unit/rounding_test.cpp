@@ -117,7 +117,7 @@ TEST_CASE("contraction moves the variance of any window by 2^-24 of the squared 
 {
     Random random(16);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const float mean = random.unit<float>();
         const Vec2<float> moments(mean, mean * mean + random.unit<float>() * (mean - mean * mean));

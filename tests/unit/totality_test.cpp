@@ -405,7 +405,7 @@ TEST_CASE_TEMPLATE("any bit pattern gives a result in the documented range", T, 
     {
         Random random(70);
         Tally tally;
-        for (int i = 0; i < 30000; ++i)
+        for (int i = 0; i < drawsOf(30000); ++i)
         {
             Words<T> words;
             for (T& word : words.values)
@@ -452,7 +452,7 @@ TEST_CASE_TEMPLATE("finite moments keep a finite variance and weight", T, float,
 {
     Random random(72);
     Tally tally;
-    for (int i = 0; i < 200000; ++i)
+    for (int i = 0; i < drawsOf(200000); ++i)
     {
         const Vec2<T> moments(random.finitePattern<T>(), random.finitePattern<T>());
         const T floor = random.finitePattern<T>();
@@ -469,7 +469,7 @@ TEST_CASE_TEMPLATE("layer intervals of any splits give finite warps and never wi
 {
     Random random(73);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const T begin = i % 2 == 0 ? random.unit<T>() : random.pattern<T>();
         const T end = i % 3 == 0 ? begin : i % 3 == 1 ? random.unit<T>() : random.pattern<T>();
@@ -494,7 +494,7 @@ TEST_CASE_TEMPLATE("sums and averages of finite values stay finite", T, float, d
     };
     const Vec2<T> largest(std::numeric_limits<T>::max());
     CHECK(neighbourhoodMoments(largest, largest, largest, largest) == largest);
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const Vec2<T> average = neighbourhoodMoments(any(), any(), any(), any());
         tally.claim(isFinite(average.x) && isFinite(average.y), i);
@@ -509,7 +509,7 @@ TEST_CASE_TEMPLATE("teleportSplits takes any weights and keeps the splits in ord
 {
     Random random(75);
     Tally tally;
-    for (int i = 0; i < 50000; ++i)
+    for (int i = 0; i < drawsOf(50000); ++i)
     {
         const int count = random.between(1, 8);
         std::vector<T> splits{T(0), T(1)};

@@ -101,7 +101,7 @@ TEST_CASE("trigonometricVisibility is what the Toeplitz system gives")
 {
     Random random(151);
     Tally tally;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < drawsOf(100000); ++i)
     {
         const DepthWindow window(random);
         const Vec4<double> moments = momentsOf(window);
@@ -119,7 +119,7 @@ TEST_CASE("trigonometricVisibility is a bound to 1e-4 of windows up to 3/4 deep,
     Random random(152);
     Tally any, shallow;
     const double bias = 1e-6;
-    for (int i = 0; i < 1000000; ++i)
+    for (int i = 0; i < drawsOf(1000000); ++i)
     {
         DepthWindow window(random);
         const double t = window.receiver(random);
@@ -140,7 +140,7 @@ TEST_CASE("trigonometricVisibility is exact for two occluders and a receiver")
 {
     Random random(153);
     Tally tally;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < drawsOf(20000); ++i)
     {
         const double first = 0.05 + 0.25 * random.unit<double>();
         const double second = first + 0.1 + 0.2 * random.unit<double>();
@@ -204,7 +204,7 @@ TEST_CASE("16 bits keep flat lit surfaces lit and the bound a bound")
         flat.claim(trigonometricVisibility(Vec4<float>(stored), float(depth), float(bias)) >= 0.999f, depth);
     }
     Random random(154);
-    for (int i = 0; i < 300000; ++i)
+    for (int i = 0; i < drawsOf(300000); ++i)
     {
         DepthWindow window(random);
         const double t = 0.75 * window.receiver(random);
@@ -224,7 +224,7 @@ TEST_CASE("in 16 bits they err less than four moments do")
     Random random(155);
     const double bias = recommendedTrigonometricBias(kOneRounding);
     double arc = 0, powers = 0;
-    for (int i = 0; i < 300000; ++i)
+    for (int i = 0; i < drawsOf(300000); ++i)
     {
         DepthWindow window(random);
         // What a filter window holds: surfaces of a tenth or so of the scene.
