@@ -161,29 +161,35 @@ json readRecorded(const std::string& path)
     return recorded;
 }
 
+// What is recorded already, to which figures of this compiler can be added; empty where there is no file.
+json readToAddTo(const std::string& path, const std::string& version)
+{
+    if (!std::filesystem::exists(path))
+        return {{"rows", json::array()}};
+    const json recorded = readRecorded(path);
+    if (recorded.at("compiler") != version)
+        fail(path + " holds " + std::to_string(recorded.at("rows").size()) + " figures of " +
+             recorded.at("compiler").get<std::string>() + ", which do not compare with those of " + version +
+             ": nothing is recorded. Record with the Mesa of packages.txt's Debian; to change over to this one, "
+             "remove the file first, and say so in docs/cost.md.");
+    return recorded;
+}
+
 // Records the costs in place of those of the same targets. What is recorded for others stays, as far as there still is
 // such a function, and so it must come from the same compiler.
 void record(const std::string& version, const std::vector<Cost>& costs, const Options& options)
 {
     json rows = rowsOf(costs);
-    if (std::filesystem::exists(options.recorded))
+    std::set<std::string> names;
+    for (const json& row : rows)
+        names.insert(row.at("name").get<std::string>());
+    const auto& targets = options.targets;
+    const json recorded = readToAddTo(options.recorded, version);
+    for (const json& row : recorded.at("rows"))
     {
-        const json recorded = readRecorded(options.recorded);
-        if (recorded.at("compiler") != version)
-            fail(options.recorded + " holds " + std::to_string(recorded.at("rows").size()) + " figures of " +
-                 recorded.at("compiler").get<std::string>() + ", which do not compare with those of " + version +
-                 ": nothing is recorded. Record with the Mesa of packages.txt's Debian; to change over to this one, "
-                 "remove the file first, and say so in docs/cost.md.");
-        std::set<std::string> names;
-        for (const json& row : rows)
-            names.insert(row.at("name").get<std::string>());
-        const auto& targets = options.targets;
-        for (const json& row : recorded.at("rows"))
-        {
-            if (std::find(targets.begin(), targets.end(), row.at("target")) == targets.end() &&
-                names.count(row.at("name")) > 0)
-                rows.push_back(row);
-        }
+        if (std::find(targets.begin(), targets.end(), row.at("target")) == targets.end() &&
+            names.count(row.at("name")) > 0)
+            rows.push_back(row);
     }
     const std::vector<std::string> order = Options().targets;
     std::stable_sort(rows.begin(), rows.end(),
@@ -277,6 +283,13 @@ int check(const std::string& version, const std::vector<Cost>& costs, const Opti
 
 int measure(const Options& options)
 {
+    // What cannot be recorded is refused before it is measured.
+    if (options.record)
+    {
+        const auto radv = Radv::open(options.targets.front());
+        if (radv)
+            readToAddTo(options.recorded, radv->version());
+    }
     std::vector<Compiled> kernels;
     for (const std::vector<Kernel>& list :
          {cost::estimateKernels(options.glslFolder), cost::passKernels(options.glslFolder),

@@ -3,6 +3,7 @@
 
 Also what a document might hide a figure behind: a table or figure without its marker, and a marker without its table.
 """
+import functools
 import re
 import sys
 
@@ -46,8 +47,23 @@ def changes(text):
     yield "an expression of nothing", text + '\nIt errs 0.31<!--= rmse("no such technique") --> times.\n'
 
 
+def once(evaluated):
+    """The same, with each expression evaluated once."""
+    values = {}
+
+    def known(match, names):
+        if match["expression"] not in values:
+            values[match["expression"]] = evaluated(match, names)
+        return values[match["expression"]]
+
+    return known
+
+
 def main():
     tables, names, _ = documents.makers(documents.ROOT)
+    # What is measured does not change with the documents: made once, not for each change.
+    tables = {name: functools.cache(make) for name, make in tables.items()}
+    documents.evaluated = once(documents.evaluated)
     tried, missed = 0, []
     for path in documents.documents(documents.ROOT):
         for what, changed in changes(path.read_text()):
