@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 namespace
 {
@@ -289,5 +290,12 @@ int main(int argc, char** argv)
     const Row* row = findRow(options.function);
     if (row == nullptr)
         fail("no row in functions.def is named " + options.function);
-    return runRow(*row, options);
+    try
+    {
+        return runRow(*row, options);
+    }
+    catch (const std::out_of_range&)
+    {
+        fail("row " + row->function + " reads beyond the " + std::to_string(kWords) + " words that an input has");
+    }
 }

@@ -12,7 +12,8 @@
 namespace parity
 {
 
-// What functions.def calls its arguments.
+// What functions.def calls its arguments. Throws std::out_of_range where a row reads a word that an input does not have: a
+// shader would read the next input's.
 template <typename T>
 class Arguments
 {
@@ -28,17 +29,18 @@ public:
 
     T real(int word) const
     {
+        const std::uint32_t stored = bits(word);
         float value;
-        std::memcpy(&value, &m_words[static_cast<std::size_t>(word)], sizeof value);
+        std::memcpy(&value, &stored, sizeof value);
         if constexpr (std::is_same_v<T, Interval>)
             return Interval::argument(value);
         else
             return static_cast<T>(value);
     }
 
-    int integer(int word) const { return static_cast<int>(m_words[static_cast<std::size_t>(word)]); }
+    int integer(int word) const { return static_cast<int>(bits(word)); }
 
-    std::uint32_t bits(int word) const { return m_words[static_cast<std::size_t>(word)]; }
+    std::uint32_t bits(int word) const { return m_words.at(static_cast<std::size_t>(word)); }
 
     glm::vec<2, T> two(int word) const { return {real(word), real(word + 1)}; }
 
