@@ -12,7 +12,7 @@ class Lvsm(ConanFile):
     license = "MIT"
     package_type = "header-library"
     settings = "os", "compiler", "build_type", "arch"
-    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "glsl/*", "hlsl/*", "wgsl/*"
+    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "glsl/*", "hlsl/*", "wgsl/*", "wasm/*"
 
     def set_version(self):
         self.version = re.search(r"project\(lvsm VERSION (\S+)", load(self, f"{self.recipe_folder}/CMakeLists.txt"))[1]
@@ -22,7 +22,8 @@ class Lvsm(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
-        toolchain.cache_variables.update(LVSM_BUILD_TESTS=False, LVSM_BUILD_EXAMPLES=False)
+        toolchain.cache_variables.update(LVSM_BUILD_TESTS=False, LVSM_BUILD_EXAMPLES=False,
+                                         LVSM_BUILD_WASM=True)
         toolchain.generate()
         CMakeDeps(self).generate()
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""`conan create` with the system's GLM, and a project that takes the package:  conan.py FOLDER
+"""`conan create` with the system's GLM, and a project that takes the package:  conan.py FOLDER BUILT
 
-FOLDER: of this test's own; Conan is put there first, from PyPI. Status 77 says that it cannot be had.
+FOLDER: of this test's own; Conan is put there first, from PyPI. Status 77 says that it cannot be had. BUILT: the build
+folder; where it holds lvsm.mjs this machine can make it, and so the package has to hold it.
 """
 import os
 import pathlib
@@ -43,3 +44,7 @@ def conan(*words):
 conan("profile", "detect")
 (folder / "profile").write_text(PROFILE)
 conan("create", ROOT, "--profile:all", folder / "profile", "--test-folder", folder / "conan", "--no-remote")
+if (pathlib.Path(sys.argv[2]) / "wasm/lvsm.mjs").exists():
+    for name in ("lvsm.mjs", "lvsm.d.mts"):
+        if not list((folder / "home/p").glob(f"**/p/share/lvsm/host/{name}")):
+            sys.exit(f"the package lacks {name}")

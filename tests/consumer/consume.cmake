@@ -35,13 +35,24 @@ function(copied_folder)
   run(${WORK}/consumer)
 endfunction()
 
-# What a package holds: both forms of the shaders, wrappers and passes too, and lvsm.mjs where this machine can make it.
+# What a package holds: all headers and shader files, one-file versions of the maths, wrappers and passes, and lvsm.mjs where
+# this machine can make it.
 function(check_files prefix)
-  set(files share/doc/lvsm/LICENSE share/lvsm/glsl/lvsm/bracket.glsl share/lvsm/wgsl/lvsm/bracket.wgsl
-    share/lvsm/wgsl/lvsm/passes/store.wgsl share/lvsm/wgsl/lvsm/sampling/separate/variance.wgsl)
-  foreach(file all.glsl all.wgsl combined.glsl separate.glsl separate.hlsli separate.wgsl store.comp store.frag store.wgsl blur.wgsl
-      mip.wgsl step_sums.wgsl step_move.wgsl)
+  file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/include/lvsm/*)
+  file(GLOB_RECURSE shaders RELATIVE ${SOURCE} ${SOURCE}/glsl/lvsm/* ${SOURCE}/hlsl/lvsm/* ${SOURCE}/wgsl/lvsm/*)
+  list(TRANSFORM shaders PREPEND share/lvsm/)
+  set(files share/doc/lvsm/LICENSE ${headers} ${shaders})
+  foreach(file all.glsl all.hlsli all.wgsl combined.glsl separate.glsl separate.hlsli separate.wgsl)
     list(APPEND files share/lvsm/single/lvsm_${file})
+  endforeach()
+  foreach(pass store blur mip fused mixture place)
+    list(APPEND files share/lvsm/single/lvsm_${pass}.comp share/lvsm/single/lvsm_${pass}.hlsl)
+  endforeach()
+  foreach(pass store blur mip fused place step_sums step_move)
+    list(APPEND files share/lvsm/single/lvsm_${pass}.wgsl)
+  endforeach()
+  foreach(pass store blur mip mixture step_sums step_move)
+    list(APPEND files share/lvsm/single/lvsm_${pass}.frag)
   endforeach()
   if(EXISTS ${BUILT}/wasm/lvsm.mjs)
     list(APPEND files share/lvsm/host/lvsm.mjs share/lvsm/host/lvsm.d.mts)

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Compares the structs that include/lvsm/passes*.hpp fill with the uniform blocks of the compiled passes, member by member.
 
+WGSL's, of which no compiler here tells the offsets, are laid out by the rules of its specification, 14.4.
+
     blocks.py --glslang glslangValidator --dxc dxc --disassembler spirv-dis
 """
 import argparse
@@ -66,20 +68,70 @@ def commands(options, glsl, hlsl, entry, macros):
                         passes[1] / hlsl, "-Fo"]
 
 
+def size_and_alignment(kind, constants):
+    """Of a type of WGSL in a uniform block, where the elements of an array lie 16 bytes apart or more."""
+    array = re.fullmatch(r"array<(.+), ([^<>]+)>", kind)
+    if array:
+        size, alignment = size_and_alignment(array[1], constants)
+        stride = -(-size // alignment) * alignment
+        if stride % 16 != 0:
+            raise ValueError(f"{kind} is no array of a uniform block")
+        return stride * eval(array[2].replace("/", "//"), {"__builtins__": {}}, constants), alignment
+    count = int(re.fullmatch(r"(?:f32|i32|u32|vec([234])[fiu])", kind)[1] or 1)
+    return 4 * count, 4 * (4 if count == 3 else count)
+
+
+def wgsl_offsets(body, constants):
+    """Offset of each member of a struct with this text."""
+    offset, members = 0, {}
+    for name, kind in re.findall(r"^\s*(\w+): (.+),$", body, re.MULTILINE):
+        size, alignment = size_and_alignment(kind, constants)
+        offset = -(-offset // alignment) * alignment
+        members[name] = offset
+        offset += size
+    return members
+
+
+def check_wgsl(wanted):
+    """Every uniform block of the passes in WGSL, of which each file says what its type is."""
+    text = "".join(path.read_text() for path in sorted((ROOT / "wgsl/lvsm/passes").glob("*.wgsl")))
+    config = (ROOT / "wgsl/lvsm/config.wgsl").read_text()
+    constants = {name: int(value) for name, value in re.findall(r"const (\w+): i32 = (\d+);", config + text)}
+    structs_of = {block: struct for struct, block, *_ in BLOCKS}
+    used = sorted(set(re.findall(r"var<uniform> \w+: (\w+);", text)))
+    if not used:
+        print("FAIL no pass in WGSL has a uniform block")
+        yield False
+    for block in used:
+        if block not in structs_of:
+            print(f"FAIL {block} of WGSL is compared with no struct: add it to BLOCKS of {__file__}")
+            yield False
+            continue
+        struct = structs_of[block]
+        body = re.search(rf"^struct {block}\n{{\n(.*?)^}}", text, re.MULTILINE | re.DOTALL)[1]
+        found = wgsl_offsets(body, constants)
+        yield agree(struct, block, "WGSL", wanted[struct], found)
+
+
+def agree(struct, block, how, expected, found):
+    """Whether the offsets are the same; says so."""
+    expected = {name: offset for name, offset in expected.items() if name != "unused"}
+    print(f"{'ok  ' if found == expected else 'FAIL'} {struct} and {block}, {how}: {found}")
+    if found != expected:
+        print(f"     the struct has {expected}")
+    return found == expected
+
+
 def check(options, folder):
     wanted = structs()
+    yield from check_wgsl(wanted)
     for struct, block, glsl, hlsl, entry, macros in BLOCKS:
-        expected = {name: offset for name, offset in wanted[struct].items() if name != "unused"}
         for compiler, command in commands(options, glsl, hlsl, entry, macros):
             binary = pathlib.Path(folder) / "pass.spv"
             subprocess.run([str(part) for part in [*command, binary]], check=True, stdout=subprocess.DEVNULL)
             text = subprocess.run([options.disassembler, "--raw-id", binary], check=True, stdout=subprocess.PIPE,
                                   text=True).stdout
-            found = offsets(text, block)
-            print(f"{'ok  ' if found == expected else 'FAIL'} {struct} and {block}, {compiler}, {hlsl}: {found}")
-            if found != expected:
-                print(f"     the struct has {expected}")
-            yield found == expected
+            yield agree(struct, block, f"{compiler}, {hlsl}", wanted[struct], offsets(text, block))
     for struct in wanted.keys() - {row[0] for row in BLOCKS}:
         print(f"FAIL {struct} is compared with no shader: add it to BLOCKS of {__file__}")
         yield False
