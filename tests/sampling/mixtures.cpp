@@ -22,7 +22,7 @@ public:
     MixtureMaker(VulkanContext& context, const Form& form, Kernels& kernels, const MixtureCase& test,
                  const DepthOf& depth)
         : m_context(context), m_form(form), m_kernels(kernels), m_test(test),
-          m_passes(lvsm::mixturePasses(test.width, test.half, test.map, test.region, test.slice)),
+          m_passes(lvsm::mixturePasses(test.window(), test.map, test.region, test.slice)),
           m_sampler(makeSampler(context, vk::Filter::eNearest))
     {
         Pixels pixels(test.depths.width, test.depths.height);
@@ -141,24 +141,24 @@ bool checkComponents(VulkanContext& context, const Form& form, Kernels& kernels,
 }
 
 // Of a surface over ground, both level, that ends in a corner: the share of it at every texel, which no merging touches.
-bool checkWindow(VulkanContext& context, const Form& form, Kernels& kernels, int width, bool half)
+bool checkWindow(VulkanContext& context, const Form& form, Kernels& kernels, MixtureCase test)
 {
     constexpr int kRight = 23, kBottom = 17;
     const auto corner = [](int x, int y)
     {
         return x < kRight && y < kBottom ? 0.25f : 0.75f;
     };
-    MixtureCase test{"window of width " + std::to_string(width) + (half ? ", half" : ""), 4, width, half};
     test.depths = {44, 38};
     test.map = test.region = {0, 0, 44, 38};
     const MixtureMaker maker(context, form, kernels, test, corner);
     const auto targets = maker.run(true);
     Mixtures made = writtenBy(context, maker.passes().passes[maker.passes().count - 1], targets.back());
-    const std::vector<double> weights = windowWeights(width, half);
-    const int texels = half ? 2 : 1;
+    const std::vector<double> weights = windowWeights(test.window());
+    const int texels = test.half ? 2 : 1;
+    const int reach = (static_cast<int>(weights.size()) / texels - 1) / 2;
     const auto shareBelow = [&](int texel, int end)
     {
-        const int first = texels * (texel - (width - 1) / 2);
+        const int first = texels * (texel - reach);
         double share = 0;
         for (std::size_t i = 0; i < weights.size(); ++i)
         {
@@ -167,7 +167,7 @@ bool checkWindow(VulkanContext& context, const Form& form, Kernels& kernels, int
         }
         return share;
     };
-    const int packings = 1 + 2 * lvsm::mixtureWindow(width, half).rounds;
+    const int packings = 1 + 2 * test.window().rounds;
     Comparison comparison(test.name);
     for (int y = 0; y < made.area.height; ++y)
     {
@@ -237,12 +237,18 @@ bool checkMixtures(VulkanContext& context, const Form& form)
             }
             MixtureCase codes{"codes of " + planes + "7" + (half ? ", half" : ""), count, 7, half};
             passed = checkCodes(context, form, kernels, codes) && passed;
-            codes = {"codes of " + planes + "11, a part" + (half ? ", half" : ""), count, 11, half};
+            codes = {"codes of " + planes + "by deviation, a part" + (half ? ", half" : ""), count, 0, half};
+            codes.deviation = half ? 5.0f : 2.6f;
             codes.map = {4, 2, 21, 17};
             codes.region = {7, 2, 11, 30};
             codes.slice = 1;
             passed = checkCodes(context, form, kernels, codes) && passed;
+            codes.deviation = half ? 0.0f : 2.6f;
+            codes.width = 11;
             passed = checkComponents(context, form, kernels, codes, noiseDepth) && passed;
+            MixtureCase narrow{planes + "by deviation" + (half ? ", half" : ""), count, 0, half};
+            narrow.deviation = half ? 1.6f : 0.6f;
+            passed = checkComponents(context, form, kernels, narrow, barDepth) && passed;
         }
     }
     return passed;
@@ -255,7 +261,19 @@ bool checkMixtureWindows(VulkanContext& context, const Form& form)
     for (int width = 1; width <= lvsm::kMaxMixtureWidth; width += 2)
     {
         for (const bool half : {false, true})
-            passed = checkWindow(context, form, kernels, width, half) && passed;
+        {
+            const std::string name = "window of width " + std::to_string(width) + (half ? ", half" : "");
+            passed = checkWindow(context, form, kernels, {name, 4, width, half}) && passed;
+        }
+    }
+    for (const float deviation : {0.6f, 1.2f, 3.0f})
+    {
+        for (const bool half : {false, true})
+        {
+            MixtureCase test{"window of deviation " + std::to_string(deviation) + (half ? ", half" : ""), 4, 0, half};
+            test.deviation = deviation;
+            passed = checkWindow(context, form, kernels, test) && passed;
+        }
     }
     return passed;
 }

@@ -140,6 +140,11 @@ Shape MixtureCase::coded() const
     return {(depths.width + texels - 1) / texels, (depths.height + texels - 1) / texels};
 }
 
+lvsm::MixtureWindow MixtureCase::window() const
+{
+    return deviation > 0 ? lvsm::gaussianMixtureWindow(deviation, half) : lvsm::mixtureWindow(width, half);
+}
+
 Mixtures::Mixtures(const lvsm::Rectangle& area_) : area(area_)
 {
     texels.resize(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
@@ -171,7 +176,7 @@ void insert(lvsm::Mixture<double>& mixture, const Component& component, int coun
 
 } // namespace
 
-Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY)
+Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY, double share)
 {
     const lvsm::Rectangle& a = from.area;
     Mixtures made({a.x + stepX, a.y + stepY, a.width - 2 * stepX, a.height - 2 * stepY});
@@ -188,7 +193,8 @@ Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY)
                 isTied |= other.isTied;
                 const glm::dvec2 offset(side * stepX * texels, side * stepY * texels);
                 for (std::size_t i = 0; i < static_cast<std::size_t>(test.count); ++i)
-                    insert(mixture, lvsm::moveComponent(unpacked(other.packed[i]), offset, side == 0 ? 0.5 : 0.25),
+                    insert(mixture,
+                           lvsm::moveComponent(unpacked(other.packed[i]), offset, side == 0 ? 1 - 2 * share : share),
                            test.count, isTied);
             }
             made.at(x, y) = packedMixture(mixture, isTied);
@@ -229,10 +235,12 @@ Mixtures depthMixtures(const MixtureCase& test, const lvsm::Rectangle& area, con
 Mixtures mixedTwice(const MixtureCase& test, const Mixtures& from, const lvsm::MixingBlock& block)
 {
     Mixtures made = from;
-    for (const std::int32_t step : block.steps)
+    for (int i = 0; i < 2; ++i)
     {
-        Mixtures across = mixed(test, made, step * block.spacing, 0);
-        made = step > 0 ? mixed(test, across, 0, step * block.spacing) : made;
+        const int step = block.steps[i] * block.spacing;
+        const auto share = static_cast<double>(block.shares[i]);
+        Mixtures across = mixed(test, made, step, 0, share);
+        made = step > 0 ? mixed(test, across, 0, step, share) : made;
     }
     return made;
 }
@@ -243,25 +251,25 @@ glm::uvec4 trueCode(const MixtureCase& test, const TrueMixture& mixture)
     for (int i = 0; i < test.count; ++i)
         all.components[i] = unpacked(mixture.packed[static_cast<std::size_t>(i)]);
     lvsm::simplifyMixture(all, test.count);
-    const auto deviation = static_cast<double>(lvsm::mixtureWindow(test.width, test.half).deviation);
+    const auto deviation = static_cast<double>(test.window().deviation);
     if (test.count == 4)
         return lvsm::encodeMixture4(all, deviation);
     return {lvsm::encodeMixture2(all, deviation), 0u, 0u};
 }
 
-std::vector<double> windowWeights(int width, bool half)
+std::vector<double> windowWeights(const lvsm::MixtureWindow& window)
 {
-    const lvsm::MixtureWindow window = lvsm::mixtureWindow(width, half);
-    std::vector<double> weights = half ? std::vector<double>{0.5, 0.5} : std::vector<double>{1.0};
+    std::vector<double> weights = window.texels > 1 ? std::vector<double>{0.5, 0.5} : std::vector<double>{1.0};
     for (int i = 0; i < window.rounds; ++i)
     {
-        const auto step = static_cast<std::size_t>(window.steps[i] * (half ? 2 : 1));
+        const auto step = static_cast<std::size_t>(window.steps[i] * window.texels);
+        const auto share = static_cast<double>(window.shares[i]);
         std::vector<double> wider(weights.size() + 2 * step);
         for (std::size_t at = 0; at < weights.size(); ++at)
         {
-            wider[at] += 0.25 * weights[at];
-            wider[at + step] += 0.5 * weights[at];
-            wider[at + 2 * step] += 0.25 * weights[at];
+            wider[at] += share * weights[at];
+            wider[at + step] += (1 - 2 * share) * weights[at];
+            wider[at + 2 * step] += share * weights[at];
         }
         weights = wider;
     }

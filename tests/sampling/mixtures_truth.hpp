@@ -26,8 +26,11 @@ struct MixtureCase
     lvsm::Rectangle map{0, 0, 29, 23};
     lvsm::Rectangle region{0, 0, 29, 23};
     int slice = 0;
+    // Of the window, in place of the width.
+    float deviation = 0;
 
     Shape coded() const;
+    lvsm::MixtureWindow window() const;
 };
 
 using DepthOf = std::function<float(int, int)>;
@@ -65,7 +68,7 @@ struct Mixtures
 // What the depths begin with.
 Mixtures depthMixtures(const MixtureCase& test, const lvsm::Rectangle& area, const DepthOf& depth);
 // One direction of a round, over what is left of their area.
-Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY);
+Mixtures mixed(const MixtureCase& test, Mixtures& from, int stepX, int stepY, double share);
 // What a dispatch makes of them, over what is left of their area.
 Mixtures mixedTwice(const MixtureCase& test, const Mixtures& from, const lvsm::MixingBlock& block);
 glm::uvec4 trueCode(const MixtureCase& test, const TrueMixture& mixture);
@@ -82,7 +85,7 @@ bool compareCode(Comparison& comparison, int count, const Packed& made, const gl
                  const std::string& where);
 
 // Weights of a window along an axis, from the first texel of the depths that it reaches to the last.
-std::vector<double> windowWeights(int width, bool half);
+std::vector<double> windowWeights(const lvsm::MixtureWindow& window);
 
 // Maps of codes, and who asks them.
 struct MixtureMaps

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
@@ -23,9 +24,10 @@ std::vector<double> weightsOf(const lvsm::MixtureWindow& window)
         std::vector<double> wider(weights.size() + 2 * step);
         for (std::size_t at = 0; at < weights.size(); ++at)
         {
-            wider[at] += weights[at] / 4;
-            wider[at + step] += weights[at] / 2;
-            wider[at + 2 * step] += weights[at] / 4;
+            const auto share = static_cast<double>(window.shares[i]);
+            wider[at] += weights[at] * share;
+            wider[at + step] += weights[at] * (1 - 2 * share);
+            wider[at + 2 * step] += weights[at] * share;
         }
         weights = wider;
     }
@@ -86,17 +88,25 @@ private:
 };
 
 using Pass = lvsm::Pass<lvsm::MixingBlock>;
-using Steps = std::vector<std::pair<int, int>>;
 
-// Three texels a step apart, of what all steps but the last give.
+// Three texels a step apart, the outer two with a share each.
+struct Step
+{
+    int x;
+    int y;
+    double share;
+};
+using Steps = std::vector<Step>;
+
+// By the last step, of what all before it give.
 template <typename Read>
 double mixed(const Read& read, const Steps& steps, std::size_t count, int x, int y)
 {
     if (count == 0)
         return read(x, y);
-    const auto [dx, dy] = steps[count - 1];
-    return 0.5 * mixed(read, steps, count - 1, x, y) + 0.25 * mixed(read, steps, count - 1, x - dx, y - dy) +
-           0.25 * mixed(read, steps, count - 1, x + dx, y + dy);
+    const auto [dx, dy, share] = steps[count - 1];
+    return (1 - 2 * share) * mixed(read, steps, count - 1, x, y) +
+           share * (mixed(read, steps, count - 1, x - dx, y - dy) + mixed(read, steps, count - 1, x + dx, y + dy));
 }
 
 // The texels that passes/mixture.comp writes, and the steps of its rounds.
@@ -120,10 +130,12 @@ struct Dispatch
     static Steps steps(const lvsm::MixingBlock& block)
     {
         Steps steps;
-        for (const int step : block.steps)
+        for (int i = 0; i < 2; ++i)
         {
+            const int step = block.steps[i] * block.spacing;
+            const auto share = static_cast<double>(block.shares[i]);
             if (step > 0)
-                steps.insert(steps.end(), {{step * block.spacing, 0}, {0, step * block.spacing}});
+                steps.insert(steps.end(), {{step, 0, share}, {0, step, share}});
         }
         return steps;
     }
@@ -145,7 +157,7 @@ struct Draw
     static Steps steps(const lvsm::MixingBlock& block)
     {
         CHECK(block.spacing == 1);
-        return {{block.steps[0], block.steps[1]}};
+        return {{block.steps[0], block.steps[1], static_cast<double>(block.shares[0])}};
     }
 };
 
@@ -180,15 +192,17 @@ Texture codesOf(const lvsm::MixturePasses& made, const lvsm::Rectangle& map, int
     return source;
 }
 
+// tolerance: shares of 1/4 leave sums exact.
 template <typename Shader>
-void checkWindow(const lvsm::MixturePasses& made, int width, bool half, const lvsm::Rectangle& map,
-                 const lvsm::Rectangle& region)
+void checkWindow(const lvsm::MixturePasses& made, const lvsm::MixtureWindow& window, const lvsm::Rectangle& map,
+                 const lvsm::Rectangle& region, double tolerance = 0)
 {
+    const int texels = window.texels;
+    const auto weights = weightsOf(window);
+    const int width = static_cast<int>(weights.size());
     CAPTURE(width);
-    CAPTURE(half);
-    const int texels = half ? 2 : 1;
+    CAPTURE(texels);
     Texture codes = codesOf<Shader>(made, map, texels);
-    const auto weights = weightsOf(lvsm::mixtureWindow(width, half));
     const int reach = width / 2;
     int count = 0;
     bool agree = true;
@@ -210,7 +224,7 @@ void checkWindow(const lvsm::MixturePasses& made, int width, bool half, const lv
             for (int i = 0; i < width * width; ++i)
                 sum += weights[static_cast<std::size_t>(i % width)] * weights[static_cast<std::size_t>(i / width)] *
                        depthOfCode(map, texels, x + i % width - reach, y + i / width - reach);
-            agree = agree && codes.read(x, y) == sum;
+            agree = agree && std::abs(codes.read(x, y) - sum) <= tolerance;
         }
     }
     CHECK(agree);
@@ -229,8 +243,42 @@ TEST_CASE("passes and draws of mixtures, run one after the other, sum up the win
         {
             for (const bool half : {false, true})
             {
-                checkWindow<Dispatch>(lvsm::mixturePasses(width, half, map, region), width, half, map, region);
-                checkWindow<Draw>(lvsm::mixtureDraws(width, half, map, region), width, half, map, region);
+                const auto window = lvsm::mixtureWindow(width, half);
+                checkWindow<Dispatch>(lvsm::mixturePasses(width, half, map, region), window, map, region);
+                checkWindow<Draw>(lvsm::mixtureDraws(width, half, map, region), window, map, region);
+            }
+        }
+        for (const float deviation : {1.25f, 3.0f})
+        {
+            for (const bool half : {false, true})
+            {
+                // Of sums of at most 89, with some 400 roundings.
+                const auto window = lvsm::gaussianMixtureWindow(deviation, half);
+                checkWindow<Dispatch>(lvsm::mixturePasses(window, map, region), window, map, region, 1e-11);
+                checkWindow<Draw>(lvsm::mixtureDraws(window, map, region), window, map, region, 1e-11);
+            }
+        }
+    }
+}
+
+TEST_CASE("a region off the map, or of no texels, is no texel of any pass, wherever it begins")
+{
+    const lvsm::Rectangle map{10, 20, 60, 46};
+    for (const lvsm::Rectangle& region :
+         {lvsm::Rectangle{31, 21, 0, 5}, {31, 21, 5, 0}, {32, 22, 0, 0}, {71, 21, 9, 9}, {11, 67, 9, 9}, {0, 0, 9, 9}})
+    {
+        for (const bool half : {false, true})
+        {
+            for (const bool isDrawn : {false, true})
+            {
+                const auto made =
+                    isDrawn ? lvsm::mixtureDraws(25, half, map, region) : lvsm::mixturePasses(25, half, map, region);
+                for (int i = 0; i < made.count; ++i)
+                {
+                    CHECK(made.passes[i].region.width == 0);
+                    CHECK(made.passes[i].region.height == 0);
+                    CHECK(made.passes[i].groups.x * made.passes[i].groups.y == 0);
+                }
             }
         }
     }
@@ -325,6 +373,58 @@ TEST_CASE("a window of mixtures has as many texels as asked, falls from the midd
     }
 }
 
+TEST_CASE(
+    "a window of a deviation has that variance, falls from the middle outwards, and takes as few rounds as can have it")
+{
+    for (int i = 0; i <= 70; ++i)
+    {
+        for (const bool half : {false, true})
+        {
+            const double wanted = 0.1 * i;
+            CAPTURE(wanted);
+            CAPTURE(half);
+            const auto window = lvsm::gaussianMixtureWindow(static_cast<float>(wanted), half);
+            const auto weights = weightsOf(window);
+            const std::size_t middle = weights.size() / 2;
+            double variance = 0;
+            for (std::size_t at = 0; at < weights.size(); ++at)
+            {
+                const double away = static_cast<double>(at) - static_cast<double>(middle);
+                variance += weights[at] * away * away;
+                CHECK(weights[at] > 0);
+                if (at > 0 && at <= middle)
+                    CHECK(weights[at] >= weights[at - 1]);
+            }
+            CHECK(window.texels == (half ? 2 : 1));
+            const double inDepths = half ? 4 * variance + 0.25 : variance;
+            CHECK(static_cast<double>(window.deviation) == doctest::Approx(std::sqrt(inDepths)));
+            // No round, or three whole ones.
+            const double least = half ? 0.25 : 0, most = half ? 42.25 : 10.5;
+            CHECK(std::abs(inDepths - std::min(std::max(wanted * wanted, least), most)) < 1.0 / 256);
+            const double before = 0.5 * (std::pow(4.0, window.rounds - 1) - 1) / 3;
+            CHECK((window.rounds == 0 || variance > before));
+        }
+    }
+}
+
+TEST_CASE("binomial filters of 3 and 11 taps are a round and two, whatever the rounding of their deviation")
+{
+    for (const int taps : {3, 11})
+    {
+        const auto window = lvsm::gaussianMixtureWindow(std::sqrt(static_cast<float>(taps - 1)) / 2);
+        CHECK(window.rounds == (taps == 3 ? 1 : 2));
+        for (int i = 0; i < window.rounds; ++i)
+        {
+            CHECK(window.steps[i] == 1 << i);
+            CHECK(window.shares[i] == doctest::Approx(0.25));
+        }
+    }
+    const float endless = std::numeric_limits<float>::max();
+    CHECK(lvsm::gaussianMixtureWindow(endless, true).deviation == doctest::Approx(6.5));
+    CHECK(lvsm::gaussianMixtureWindow(-endless, true).rounds == 0);
+    CHECK(lvsm::gaussianMixtureWindow(0.0f).deviation == 0.0f);
+}
+
 TEST_CASE("windows that double are those of mixtureDeviation, and widths out of range are clamped")
 {
     for (int rounds = 1; rounds <= 3; ++rounds)
@@ -415,5 +515,6 @@ TEST_CASE("the block of the mixture passes has the offsets of std140 and of cons
     CHECK(offsetof(lvsm::MixingBlock, steps) == 48);
     CHECK(offsetof(lvsm::MixingBlock, spacing) == 56);
     CHECK(offsetof(lvsm::MixingBlock, deviation) == 64);
+    CHECK(offsetof(lvsm::MixingBlock, shares) == 72);
     CHECK(sizeof(lvsm::MixingBlock) % 16 == 0);
 }

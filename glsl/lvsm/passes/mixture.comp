@@ -55,9 +55,9 @@ void lvsm_readTile(ivec2 at, out uvec4 components[LVSM_MIXTURE_COUNT])
         components[k] = lvsm_tile[lvsm_placeInTile(at) + k];
 }
 
-// One direction of a round, in place: a line of texels is read whole by its threads before they write. begin, end: of
-// what the tile holds, less in the direction afterwards.
-void lvsm_mixTile(ivec2 along, inout ivec2 begin, inout ivec2 end, int thread)
+// One direction of a round, in place: a line of texels is read whole by its threads before they write. share: of
+// each outer texel. begin, end: of what the tile holds, less in the direction afterwards.
+void lvsm_mixTile(ivec2 along, float share, inout ivec2 begin, inout ivec2 end, int thread)
 {
     ivec2 across = ivec2(1) - min(abs(along), 1);
     begin += abs(along);
@@ -80,7 +80,7 @@ void lvsm_mixTile(ivec2 along, inout ivec2 begin, inout ivec2 end, int thread)
             lvsm_readTile(at, middle);
             lvsm_readTile(at - along, before);
             lvsm_readTile(at + along, after);
-            mixture = lvsm_mixThree(middle, before, after, lvsm_spacing * along);
+            mixture = lvsm_mixThree(middle, before, after, lvsm_spacing * along, share);
         }
         barrier();
         for (int k = 0; k < LVSM_MIXTURE_COUNT && isActive; ++k)
@@ -115,8 +115,9 @@ void main()
     for (int turn = 0; turn < 4; ++turn)
     {
         int step = turn < 2 ? lvsm_steps.x : lvsm_steps.y;
+        float share = turn < 2 ? lvsm_shares.x : lvsm_shares.y;
         if (step > 0)
-            lvsm_mixTile((turn & 1) == 0 ? ivec2(step, 0) : ivec2(0, step), begin, end, thread);
+            lvsm_mixTile((turn & 1) == 0 ? ivec2(step, 0) : ivec2(0, step), share, begin, end, thread);
     }
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     lvsm_writeTexel(local + halo, first + lvsm_spacing * local);

@@ -34,7 +34,7 @@ void main()
         uvec4 after[LVSM_MIXTURE_COUNT];
         lvsm_readMixture(lvsm_source, texel - lvsm_steps, before);
         lvsm_readMixture(lvsm_source, texel + lvsm_steps, after);
-        lvsm_Mixture mixture = lvsm_mixThree(components, before, after, lvsm_steps);
+        lvsm_Mixture mixture = lvsm_mixThree(components, before, after, lvsm_steps, lvsm_shares.x);
         for (int k = 0; k < LVSM_MIXTURE_COUNT; ++k)
             components[k] = lvsm_packComponent(mixture.components[k]);
     }

@@ -61,6 +61,8 @@ LVSM_MIXTURE_BLOCK uniform lvsm_Mixing
     float lvsm_deviation;
     // Of the target that takes the codes.
     int lvsm_slice;
+    // What each of the outer two texels gets of the window: in the two rounds of a dispatch; in a draw the first.
+    vec2 lvsm_shares;
 };
 
 // How a component lies in 128 bits. From bit 0: depth 20 and weight 12; place 12 + 12 and correlation 8; slope 16 + 16;
@@ -154,12 +156,12 @@ lvsm_Mixture lvsm_unpackMixture(uvec4 components[LVSM_MIXTURE_COUNT])
     return mixture;
 }
 
-// One direction of a round. offset: from the middle to the one after it, in texels of the codes.
+// One direction of a round. offset: from the middle to the one after it, in texels of the codes; share: of each outer one.
 lvsm_Mixture lvsm_mixThree(uvec4 middle[LVSM_MIXTURE_COUNT], uvec4 before[LVSM_MIXTURE_COUNT],
-                           uvec4 after[LVSM_MIXTURE_COUNT], ivec2 offset)
+                           uvec4 after[LVSM_MIXTURE_COUNT], ivec2 offset, float share)
 {
     return lvsm_mixtureStep(lvsm_unpackMixture(middle), lvsm_unpackMixture(before), lvsm_unpackMixture(after),
-                            vec2(lvsm_texels * offset), 0.25, LVSM_MIXTURE_COUNT);
+                            vec2(lvsm_texels * offset), share, LVSM_MIXTURE_COUNT);
 }
 
 // 64 bits fill the first two words.

@@ -60,6 +60,8 @@ cbuffer lvsm_Mixing : register(LVSM_MIXTURE_BLOCK)
     float lvsm_deviation;
     // Of the target that takes the codes.
     int lvsm_slice;
+    // What each of the outer two texels gets of the window: in the two rounds of a dispatch.
+    float2 lvsm_shares;
 };
 
 // How a component lies in 128 bits. From bit 0: depth 20 and weight 12; place 12 + 12 and correlation 8; slope 16 + 16;
@@ -153,12 +155,12 @@ lvsm_Mixture lvsm_unpackMixture(uint4 components[LVSM_MIXTURE_COUNT])
     return mixture;
 }
 
-// One direction of a round. offset: from the middle to the one after it, in texels of the codes.
+// One direction of a round. offset: from the middle to the one after it, in texels of the codes; share: of each outer one.
 lvsm_Mixture lvsm_mixThree(uint4 middle[LVSM_MIXTURE_COUNT], uint4 before[LVSM_MIXTURE_COUNT],
-                           uint4 after[LVSM_MIXTURE_COUNT], int2 offset)
+                           uint4 after[LVSM_MIXTURE_COUNT], int2 offset, float share)
 {
     return lvsm_mixtureStep(lvsm_unpackMixture(middle), lvsm_unpackMixture(before), lvsm_unpackMixture(after),
-                            float2(offset) * float(lvsm_texels), 0.25, LVSM_MIXTURE_COUNT);
+                            float2(offset) * float(lvsm_texels), share, LVSM_MIXTURE_COUNT);
 }
 
 // 64 bits fill the first two words.
@@ -233,9 +235,9 @@ void lvsm_readTile(int2 at, out uint4 components[LVSM_MIXTURE_COUNT])
         components[k] = lvsm_tile[lvsm_placeInTile(at) + k];
 }
 
-// One direction of a round, in place: a line of texels is read whole by its threads before they write. begin, end: of
-// what the tile holds, less in the direction afterwards.
-void lvsm_mixTile(int2 along, inout int2 begin, inout int2 end, int thread)
+// One direction of a round, in place: a line of texels is read whole by its threads before they write. share: of
+// each outer texel. begin, end: of what the tile holds, less in the direction afterwards.
+void lvsm_mixTile(int2 along, float share, inout int2 begin, inout int2 end, int thread)
 {
     int2 across = int2(1, 1) - min(abs(along), int2(1, 1));
     begin += abs(along);
@@ -258,7 +260,7 @@ void lvsm_mixTile(int2 along, inout int2 begin, inout int2 end, int thread)
             lvsm_readTile(at, middle);
             lvsm_readTile(at - along, before);
             lvsm_readTile(at + along, after);
-            mixture = lvsm_mixThree(middle, before, after, lvsm_spacing * along);
+            mixture = lvsm_mixThree(middle, before, after, lvsm_spacing * along, share);
         }
         GroupMemoryBarrierWithGroupSync();
         for (int k = 0; k < LVSM_MIXTURE_COUNT && isActive; ++k)
@@ -297,8 +299,9 @@ void lvsm_mixtureCompute(uint3 groupId : SV_GroupID, uint3 localId : SV_GroupThr
     for (int turn = 0; turn < 4; ++turn)
     {
         int step = turn < 2 ? lvsm_steps.x : lvsm_steps.y;
+        float share = turn < 2 ? lvsm_shares.x : lvsm_shares.y;
         if (step > 0)
-            lvsm_mixTile((turn & 1) == 0 ? int2(step, 0) : int2(0, step), begin, end, thread);
+            lvsm_mixTile((turn & 1) == 0 ? int2(step, 0) : int2(0, step), share, begin, end, thread);
     }
     lvsm_writeTexel(local + halo, first + lvsm_spacing * local);
 }
