@@ -202,14 +202,14 @@ inline MixturePasses mixtureStages(const MixtureStage (&stages)[2 * kMaxMixtureR
 
 } // namespace detail
 
-/// The dispatches that make a map of mixtures from depths.
+/// The dispatches that make a map of mixtures from depths, by a window of any rounds.
 /// window: of mixtureWindow or gaussianMixtureWindow. map: where the map is in the texture of depths, in its texels; at half
 /// resolution x and y are even. region: what of it is to be made, in texels of the depths; what is off the map is left
 /// out. A change of the depths by a rectangle changes that of the map by half the window's width on every side. slice: of
 /// the target.
 /// Result: one pass for two rounds, and one for each round more: for windows to 7 texels one, to 15 two, to 25 three. What a
 /// texel of the depths has at (x, y) the codes have there, or at half resolution at (x / 2, y / 2).
-inline MixturePasses mixturePasses(const MixtureWindow& window, const Rectangle& map, const Rectangle& region,
+inline MixturePasses mixturePassesOf(const MixtureWindow& window, const Rectangle& map, const Rectangle& region,
                                    int slice = 0)
 {
     detail::MixtureStage stages[2 * kMaxMixtureRounds] = {
@@ -223,18 +223,20 @@ inline MixturePasses mixturePasses(const MixtureWindow& window, const Rectangle&
     return detail::mixtureStages(stages, count, window, map, region, slice);
 }
 
-/// The same for the window of a width.
-/// width, half: as mixtureWindow takes them. map, region, slice: as above.
+/// The dispatches that make a map of mixtures from depths.
+/// width, half: as mixtureWindow takes them. map, region, slice: as mixturePassesOf takes them.
+/// Result: its, for the window of that width.
 inline MixturePasses mixturePasses(int width, bool half, const Rectangle& map, const Rectangle& region, int slice = 0)
 {
-    return mixturePasses(mixtureWindow(width, half), map, region, slice);
+    return mixturePassesOf(mixtureWindow(width, half), map, region, slice);
 }
 
-/// The draws that make a map of mixtures from depths, where there is no compute shader: two for each round.
-/// window, map, region, slice: as mixturePasses takes them.
+/// The draws that make a map of mixtures from depths, where there is no compute shader, by a window of any rounds: two for
+/// each round.
+/// window, map, region, slice: as mixturePassesOf takes them.
 /// Result: each draws over its region of its target. A target of mixtures is two or four textures or slices, all drawn at
 /// once.
-inline MixturePasses mixtureDraws(const MixtureWindow& window, const Rectangle& map, const Rectangle& region,
+inline MixturePasses mixtureDrawsOf(const MixtureWindow& window, const Rectangle& map, const Rectangle& region,
                                   int slice = 0)
 {
     detail::MixtureStage stages[2 * kMaxMixtureRounds] = {{{}, {}, 1, {}}};
@@ -250,11 +252,12 @@ inline MixturePasses mixtureDraws(const MixtureWindow& window, const Rectangle& 
     return detail::mixtureStages(stages, detail::maximum(2 * window.rounds, 1), window, map, region, slice);
 }
 
-/// The same for the window of a width.
-/// width, half: as mixtureWindow takes them. map, region, slice: as above.
+/// The draws that make a map of mixtures from depths, where there is no compute shader.
+/// width, half: as mixtureWindow takes them. map, region, slice: as mixturePassesOf takes them.
+/// Result: mixtureDrawsOf for the window of that width.
 inline MixturePasses mixtureDraws(int width, bool half, const Rectangle& map, const Rectangle& region, int slice = 0)
 {
-    return mixtureDraws(mixtureWindow(width, half), map, region, slice);
+    return mixtureDrawsOf(mixtureWindow(width, half), map, region, slice);
 }
 
 } // namespace lvsm

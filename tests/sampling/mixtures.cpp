@@ -22,7 +22,7 @@ public:
     MixtureMaker(VulkanContext& context, const Form& form, Kernels& kernels, const MixtureCase& test,
                  const DepthOf& depth)
         : m_context(context), m_form(form), m_kernels(kernels), m_test(test),
-          m_passes(lvsm::mixturePasses(test.window(), test.map, test.region, test.slice)),
+          m_passes(lvsm::mixturePassesOf(test.window(), test.map, test.region, test.slice)),
           m_sampler(makeSampler(context, vk::Filter::eNearest))
     {
         Pixels pixels(test.depths.width, test.depths.height);

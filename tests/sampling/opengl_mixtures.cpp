@@ -85,7 +85,7 @@ Mixtures mixturesOf(const lvsm::Pass<lvsm::MixingBlock>& pass, const std::vector
 
 bool checkDraws(const MixtureProgram& makeProgram, const MixtureCase& test, const DepthOf& depth)
 {
-    const auto draws = lvsm::mixtureDraws(test.window(), test.map, test.region);
+    const auto draws = lvsm::mixtureDrawsOf(test.window(), test.map, test.region);
     Pixels pixels(test.depths.width, test.depths.height);
     for (int y = 0; y < test.depths.height; ++y)
     {

@@ -254,8 +254,8 @@ TEST_CASE("passes and draws of mixtures, run one after the other, sum up the win
             {
                 // Of sums of at most 89, with some 400 roundings.
                 const auto window = lvsm::gaussianMixtureWindow(deviation, half);
-                checkWindow<Dispatch>(lvsm::mixturePasses(window, map, region), window, map, region, 1e-11);
-                checkWindow<Draw>(lvsm::mixtureDraws(window, map, region), window, map, region, 1e-11);
+                checkWindow<Dispatch>(lvsm::mixturePassesOf(window, map, region), window, map, region, 1e-11);
+                checkWindow<Draw>(lvsm::mixtureDrawsOf(window, map, region), window, map, region, 1e-11);
             }
         }
     }
