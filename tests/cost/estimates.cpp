@@ -193,6 +193,25 @@ float pcfFour(lvsm_MapPoint at, float depth, vec2 gradient)
     return lvsm_pcfBilinear(depths, f, corner + vec4(0.0, gradient.x, gradient.y, gradient.x + gradient.y), bias);
 }
 
+// The least and the greatest depths of the parts of a window, against the receiver's plane over each: 1 in front of all, 0
+// behind all, and a half is not certain.
+float inRanges(const int across, lvsm_MapPoint at, float depth, vec2 gradient)
+{
+    vec2 position = at.uv * lvsm_mapArraySize(map);
+    float spread = 3.0 * (abs(gradient.x) + abs(gradient.y));
+    bool isLit = true;
+    bool isDark = true;
+    for (int i = 0; i < across * across; ++i)
+    {
+        vec2 texel = floor(position + 3.0 * vec2(i % across, i / across) - 1.5 * float(across - 1));
+        vec2 range = texelFetch(map, ivec3(texel, 0), 0).xy;
+        float plane = lvsm_planeDepth(depth, gradient, texel + 0.5 - position);
+        isLit = isLit && range.x >= plane + spread - bias;
+        isDark = isDark && range.y < plane - spread;
+    }
+    return isLit ? 1.0 : isDark ? 0.0 : 0.5;
+}
+
 // Sixteen places on a disc, turned by a hash of the pixel's place.
 vec2 turnedPlace(int i, vec2 turn)
 {

@@ -33,6 +33,7 @@ def main():
             "--output": ["--output", folder, *SMALL, "--scenes", "fence"],
             "/nowhere.obj": ["--model", "/nowhere.obj"],
             broken: ["--model", broken],
+            "--costs": ["--certain", "--costs", "/nowhere.json"],
         }
         for named, options in wrong.items():
             result = run(program, "--output", output, *options) if "--output" not in options else run(program, *options)

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "certain.hpp"
 #include "filter.hpp"
 #include "parallel.hpp"
 #include "picture.hpp"
@@ -33,6 +34,7 @@ struct Options
     std::vector<std::string> scenes;
     std::string model;
     bool forms = false;
+    bool certain = false;
     std::string costs = "tests/cost/recorded.json";
     std::string output = "build/reports/quality.json";
     std::string pictures;
@@ -153,6 +155,40 @@ std::vector<LitScene> litScenes(const std::vector<Scene>& scenes, const Plan& pl
     return lights;
 }
 
+/// Certain or not, in the scenes of meshes.
+support::Result<std::vector<Certainty>> measureCertain(const Options& options)
+{
+    support::Result<std::vector<Plan>> plans = planScenes(options);
+    if (!plans)
+        return support::Failure{plans.error()};
+    const Costs costs = readCosts(options.costs);
+    if (costs.estimates.empty())
+        return support::Failure{"--costs: '" + options.costs + "' has none, and what is cheapest is chosen by them"};
+    std::vector<Certainty> all;
+    for (const Plan& plan : *plans)
+    {
+        const std::vector<Scene> scenes = plan.make();
+        for (const int width : options.widths)
+        {
+            if (!scenes.front().mesh)
+                continue;
+            const Terms terms{{width, options.tree}, {}, Rounding::Once, false};
+            const std::vector<LitScene> lights = litScenes(scenes, plan, terms, options);
+            std::fprintf(stderr, "%s, width %d\n", plan.reported.front().c_str(), width);
+            std::vector<Judge> wanted = judges(terms.window);
+            wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
+                                        [&](const Judge& judge) { return !contains(judge.name, options.techniques); }),
+                         wanted.end());
+            std::vector<std::vector<Certainty>> found(wanted.size());
+            parallelFor(wanted.size(),
+                        [&](std::size_t j) { found[j] = measureCertainty(wanted[j], lights, terms.window, costs); });
+            for (const std::vector<Certainty>& of : found)
+                all.insert(all.end(), of.begin(), of.end());
+        }
+    }
+    return all;
+}
+
 support::Result<Run> measureAll(const Options& options)
 {
     std::vector<Technique> techniques = options.forms ? layeredForms() : allTechniques();
@@ -248,6 +284,7 @@ int main(int argc, char** argv)
     app.add_flag("--each-pass", options.eachPass, "Round when storing and after each pass of the filter, not once");
     app.add_flag("--one-tap", options.oneTap, "One tap at full resolution, and no other variant");
     app.add_flag("--forms", options.forms, "What parts of two estimates from layers are worth, and nothing else");
+    app.add_flag("--certain", options.certain, "Who is certain by bounds on both sides, and nothing else");
     app.add_option("--techniques", options.techniques, "Only those whose name contains one of these")->delimiter(',');
     app.add_option("--scenes", options.scenes, "Only those whose name contains one of these")->delimiter(',');
     app.add_option("--model", options.model, "A model of your own, in any format Assimp reads, instead of the scenes");
@@ -270,6 +307,14 @@ int main(int argc, char** argv)
     }
 
     const auto start = std::chrono::steady_clock::now();
+    if (options.certain)
+    {
+        const auto found = measureCertain(options);
+        const auto problem = found ? writeCertainty(*found, options.output) : found.error();
+        if (problem)
+            std::fprintf(stderr, "%s\n", problem->c_str());
+        return problem ? 1 : 0;
+    }
     lvsm::support::Result<Run> run = measureAll(options);
     if (!run)
     {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <lvsm/moments.hpp>
@@ -95,8 +96,15 @@ public:
     {
     }
 
-    /// The best setting for one light, by the others.
-    Setting best(std::size_t light)
+    /// A setting with its error in the other lights.
+    struct Chosen
+    {
+        Setting setting;
+        double error;
+    };
+
+    /// The best for one light, by the others.
+    Chosen best(std::size_t light)
     {
         Settings::Index index = m_settings.plain();
         double least = error(index, light);
@@ -117,7 +125,7 @@ public:
                 }
             }
         }
-        return m_settings.at(index);
+        return {m_settings.at(index), least};
     }
 
 private:
@@ -267,12 +275,48 @@ float estimateOf(const StoredMap& map, const Technique& technique, const Receive
     return technique.contact ? visibility : reduceLightBleeding(visibility, setting.bleeding);
 }
 
-std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, const Terms& terms,
-                                 const Shown& shown)
+namespace
+{
+
+std::vector<MapMaker> makersOf(const Technique& technique, const std::vector<LitScene>& lights, const Terms& terms)
 {
     std::vector<MapMaker> makers;
     for (const LitScene& light : lights)
         makers.emplace_back(technique, light.scene, terms.window, terms.rounding, terms.footprint);
+    return makers;
+}
+
+/// For each light the warp that is best in the others, judged once at full resolution.
+std::vector<std::size_t> bestWarps(const Technique& technique, const std::vector<LitScene>& lights, const Terms& terms)
+{
+    std::vector<std::size_t> best(lights.size());
+    std::vector<double> least(lights.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t warp = 0; warp < technique.warps.size(); ++warp)
+    {
+        Technique warped = technique;
+        warped.prepare = technique.warps[warp];
+        std::vector<StoredMap> maps;
+        for (MapMaker& maker : makersOf(warped, lights, terms))
+            maps.emplace_back(maker, Variant{});
+        Trials trials(warped, {}, maps, lights);
+        for (std::size_t i = 0; i < lights.size(); ++i)
+        {
+            const double error = lights[i].isReported ? trials.best(i).error : 0.0;
+            if (error < least[i])
+            {
+                least[i] = error;
+                best[i] = warp;
+            }
+        }
+    }
+    return best;
+}
+
+/// In the lights that are wanted.
+std::vector<Measurement> measureIn(const Technique& technique, const std::vector<LitScene>& lights,
+                                   const std::vector<bool>& wanted, const Terms& terms, const Shown& shown)
+{
+    std::vector<MapMaker> makers = makersOf(technique, lights, terms);
     std::vector<Measurement> results;
     for (const Variant& variant : terms.variants ? variantsOf(technique, terms.window) : std::vector<Variant>(1))
     {
@@ -282,7 +326,7 @@ std::vector<Measurement> measure(const Technique& technique, const std::vector<L
         Trials trials(technique, variant, maps, lights);
         for (std::size_t i = 0; i < lights.size(); ++i)
         {
-            if (!lights[i].isReported)
+            if (!wanted[i])
                 continue;
             Measurement result;
             result.technique = technique.name + variant.suffix();
@@ -298,11 +342,39 @@ std::vector<Measurement> measure(const Technique& technique, const std::vector<L
             result.estimate = technique.estimate + (result.reading == Reading::Nearest ? " moved" : "");
             result.scene = lights[i].scene.name;
             result.mesh = lights[i].scene.mesh;
-            addErrors(maps[i], technique, lights[i], trials.best(i), result);
+            addErrors(maps[i], technique, lights[i], trials.best(i).setting, result);
             if (shown)
                 shown(result, maps[i], lights[i]);
             results.push_back(std::move(result));
         }
+    }
+    return results;
+}
+
+} // namespace
+
+std::vector<Measurement> measure(const Technique& technique, const std::vector<LitScene>& lights, const Terms& terms,
+                                 const Shown& shown)
+{
+    std::vector<bool> reported;
+    for (const LitScene& light : lights)
+        reported.push_back(light.isReported);
+    if (technique.warps.empty())
+        return measureIn(technique, lights, reported, terms, shown);
+
+    const std::vector<std::size_t> best = bestWarps(technique, lights, terms);
+    std::vector<Measurement> results;
+    for (std::size_t warp = 0; warp < technique.warps.size(); ++warp)
+    {
+        std::vector<bool> wanted;
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            wanted.push_back(reported[i] && best[i] == warp);
+        if (std::find(wanted.begin(), wanted.end(), true) == wanted.end())
+            continue;
+        Technique warped = technique;
+        warped.prepare = technique.warps[warp];
+        const std::vector<Measurement> found = measureIn(warped, lights, wanted, terms, shown);
+        results.insert(results.end(), found.begin(), found.end());
     }
     return results;
 }

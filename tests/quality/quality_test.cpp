@@ -2,6 +2,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include <lvsm/components.hpp>
 
+#include "certain.hpp"
 #include "filter.hpp"
 #include "measure.hpp"
 #include "scenes_layered.hpp"
@@ -306,6 +308,103 @@ TEST_CASE("exact depths judge flat receivers without error, and so does PCF over
         const std::vector<LitScene> lights = lightsOf(layeredScene(name, kSize, 5));
         for (const char* exact : {"limit: exact distribution", "limit: exact, receiver's plane", "PCF, whole window"})
             CHECK(measure(techniqueNamed(exact), lights, {{kKernel}}).front().all.rmse < 1e-5);
+    }
+}
+
+TEST_CASE("flat receivers are lit as much as the least that techniques say, or more, and as the most, or less")
+{
+    const std::vector<LitScene> lights = lightsOf(layeredScene("foliage", kSize, 5));
+    for (const std::string name : {"EVSM4 rgba32f 42/10", "MSM4 rgba32f", "LVSM-4 unorm16 bounded, uniform",
+                                   "LVSM-8 unorm8 plane, uniform", "LVSM-4 unorm8 bounded, uniform"})
+    {
+        CAPTURE(name);
+        const Technique mostBy = techniqueNamed(name), leastBy = leastOf(mostBy);
+        MapMaker mostMaker(mostBy, lights[0].scene, {kKernel}, Rounding::Once);
+        MapMaker leastMaker(leastBy, lights[0].scene, {kKernel}, Rounding::Once);
+        const StoredMap most(mostMaker, {}), least(leastMaker, {});
+        float between = 0.0f, outside = 0.0f;
+        for (const Receiver& r : lights[0].receivers)
+        {
+            const float low = least.estimate(r, kPlainSetting), high = most.estimate(r, kPlainSetting);
+            between += high - low;
+            outside += std::max(0.0f, low - r.visibility) + std::max(0.0f, r.visibility - high);
+        }
+        // Rounding, which few codes multiply where a layer is nearly empty, is all that lies outside.
+        CHECK(outside < 0.0005f * static_cast<float>(lights[0].receivers.size()));
+        CHECK(between < 0.5f * static_cast<float>(lights[0].receivers.size()));
+    }
+}
+
+TEST_CASE("of exponents those are chosen that err least in the other lights")
+{
+    std::vector<LitScene> lights;
+    for (const unsigned seed : {2u, 3u})
+        lights.push_back(lightsOf(layeredScene("fence", kSize, seed)).front());
+    lights.back().isReported = false;
+    const Technique chosen = techniqueNamed("EVSM2 rg32f chosen");
+    const double error = measure(chosen, lights, {{kKernel}}).front().all.rmse;
+
+    // The other light alone is judged with its own best.
+    std::vector<LitScene> other{lights.back()};
+    other.front().isReported = true;
+    std::size_t best = 0;
+    double least = 1.0;
+    std::vector<double> here;
+    for (std::size_t i = 0; i < chosen.warps.size(); ++i)
+    {
+        Technique one = chosen;
+        one.warps.clear();
+        one.prepare = chosen.warps[i];
+        here.push_back(measure(one, lights, {{kKernel}}).front().all.rmse);
+        const double there = measure(one, other, {{kKernel}}).front().all.rmse;
+        if (there < least)
+        {
+            least = there;
+            best = i;
+        }
+    }
+    CHECK(error == here[best]);
+    CHECK(*std::max_element(here.begin(), here.end()) > 1.1 * error);
+}
+
+TEST_CASE("least and greatest depths of the window are certain of nothing that is not so, and of much that is")
+{
+    // Where a box stands on the ground, its shadow begins within the depths of the window's slope.
+    Mesh standing;
+    addGround(standing, {-1.0f, -1.0f}, {1.0f, 1.0f});
+    addBox(standing, {-0.4f, 0.0f, -0.3f}, {0.3f, 0.2f, 0.4f});
+    const std::vector<Scene> scenes{layeredScene("foliage", kSize, 5), layeredScene("slanted", kSize, 5),
+                                    meshScene("plates", twoPlates(), "oblique", kSize),
+                                    meshScene("standing", standing, "grazing", kSize)};
+    for (const Scene& scene : scenes)
+    {
+        const std::vector<LitScene> lights = lightsOf(scene);
+        std::vector<Technique> all = widenedRanges({25});
+        const std::vector<Technique> pyramids = pyramidRanges({25});
+        all.insert(all.end(), pyramids.begin(), pyramids.end());
+        for (const Technique& mostBy : all)
+        {
+            // The window of 5 and the texel on which a receiver is off its centre.
+            if (mostBy.name.find("reach 3") == std::string::npos)
+                continue;
+            CAPTURE(mostBy.name);
+            const Technique leastBy = leastOf(mostBy);
+            MapMaker mostMaker(mostBy, lights[0].scene, {kKernel}, Rounding::Once);
+            MapMaker leastMaker(leastBy, lights[0].scene, {kKernel}, Rounding::Once);
+            const StoredMap most(mostMaker, {}), least(leastMaker, {});
+            std::size_t certain = 0;
+            for (const Receiver& r : lights[0].receivers)
+            {
+                const bool isLit = least.estimate(r, kPlainSetting) > 0.5f;
+                const bool isDark = most.estimate(r, kPlainSetting) < 0.5f;
+                CHECK(!(isLit && isDark));
+                CHECK((!isLit || r.visibility > 1.0f - 1e-6f));
+                CHECK((!isDark || r.visibility < 1e-6f));
+                certain += isLit || isDark;
+            }
+            // A slope is deeper and less deep than itself.
+            CHECK(certain > (scene.mesh ? 0 : lights[0].receivers.size() / 8));
+        }
     }
 }
 

@@ -6,7 +6,7 @@
                                                             holds of it, as RUN NUMBER.json, is not measured anew
     recorded.py --time LVSM_QUALITY                how long it takes by default and with all widths, into time.json
     recorded.py --renew PARTS LVSM_QUALITY         measures only techniques whose names contain one of PARTS, and keeps
-                                                   the others as they are
+                                                   the others as they are; runs without any such technique too
 
 The record carries a digest of itself, so that no figure of the scenes that are not measured each time is changed by hand.
 """
@@ -29,10 +29,15 @@ TIMED = {"default": [], "all widths": ["--width", "3,7,15,25"]}
 MEAN = "mesh mean"
 # One of flat layers, one of meshes, both short to measure.
 PART = ["--scenes", "slanted,trees-grazing"]
+OTHERS = ("calm", "small_calm", "certain")
 SMALL_CALM = ["--size", "96", "--points", "300", "--frames", "4", "--cases", "1"]
 CALM = ["--size", "160", "--points", "1000"]
+COSTS = ["--costs", str(FILE.parents[1] / "cost/recorded.json")]
+CERTAIN = ["--certain", "--width", "15,25", "--receivers", "3000", *COSTS]
+SMALL_CERTAIN = ["--certain", "--width", "15", "--receivers", "3000", "--scenes", "bunnies-spot", "--techniques", "MSM4",
+                 *COSTS]
 # What is known of one another among many.
-SOME = ",".join(["VSM rg16", "EVSM4 rgba32f 42/10", "MSM4 unorm16", "MSM4 rgba32f", "MSM4 quantised", "trigonometric",
+SOME = ",".join(["VSM rg16", "EVSM4 rgba32f 42/10", "EVSM4 rgba32f chosen", "MSM4 unorm16", "MSM4 rgba32f", "MSM4 quantised", "trigonometric",
                  "LVSM-8 unorm8 plane", "LVSM-16 unorm8 plane", "mixture K=2", "mixture K=4 128", "PCF", "limit: exact"])
 TREE = "MSM4 rgba32f,MSM4 quantised,mixture K=2 64,mixture K=4 128,LVSM-16 unorm8 plane,PCF,limit: exact"
 FEWER = ["--receivers", "4000"]
@@ -130,33 +135,51 @@ def record(quality, calm, keep=None):
     rows = measured("7 0", quality)
     mesh = list(dict.fromkeys(row["scene"] for row in rows if row["mesh"]))
     flicker = {"calm": [json.dumps(row) for row in measured("calm", calm, *CALM)],
-               "small_calm": [json.dumps(row) for row in measured("small calm", calm, *SMALL_CALM)]}
+               "small_calm": [json.dumps(row) for row in measured("small calm", calm, *SMALL_CALM)],
+               "certain": certain(measured("certain", quality, *CERTAIN))}
     write(rows[0]["seed"], mesh, runs, flicker)
 
 
-def write(seed, mesh, runs, flicker):
-    """runs, flicker: lines by name."""
-    lines = [line for run in (*runs.values(), *flicker.values()) for line in run]
+CERTAINTY = ["rmse", "pcf_rmse", "uncertain", "groups", "groups_magnified", "bound_cost", "pcf_cost"]
+
+
+def certain(rows):
+    """A line for each width and judge: its scenes, each with what CERTAINTY names."""
+    found = {}
+    for row in rows:
+        kept = found.setdefault((row["width"], row["judge"]), {"peer": row["peer"], "scenes": {}})
+        kept["scenes"][row["scene"]] = [digits(row[key]) for key in CERTAINTY]
+    return [json.dumps({"width": width, "judge": judge, **kept}) for (width, judge), kept in found.items()]
+
+
+def write(seed, mesh, runs, others):
+    """runs, others: lines by name."""
+    lines = [line for run in (*runs.values(), *others.values()) for line in run]
     listed = [f'{json.dumps(name)}: [\n' + ",\n".join(run) + "\n]" for name, run in runs.items()]
     FILE.write_text('{"seed": %d, "digest": "%s",\n"mesh_scenes": %s,\n"runs": {\n%s\n},\n%s}\n' % (
         seed, digest(lines), json.dumps(mesh), ",\n".join(listed),
-        ",\n".join(f'"{name}": [\n' + ",\n".join(found) + "\n]" for name, found in flicker.items())))
+        ",\n".join(f'"{name}": [\n' + ",\n".join(found) + "\n]" for name, found in others.items())))
 
 
 def renew(parts, quality):
     """Measures some techniques anew, in the runs that have them; new ones come last."""
     kept = whole()
     runs = {name: {t["name"]: json.dumps(t) for t in run} for name, run in kept["runs"].items()}
+    for run in runs:
+        runs[run] = {name: line for name, line in runs[run].items() if not any(part in name for part in parts.split(","))}
     for run, calls in RUNS.items():
         for call in calls:
             if "--forms" in call:
                 continue
             wanted = call[call.index("--techniques") + 1].split(",") if "--techniques" in call else [""]
+            if run != "7" and not any(part in name and one in name for name in runs["7"]
+                                     for part in parts.split(",") for one in wanted):
+                continue
             rows = [row for row in measure(quality, *call, only=parts) if any(part in row["technique"] for part in wanted)]
             for name, found in by_technique(rows).items():
                 runs[run][name] = json.dumps(summary(name, found, run == "7"))
     write(kept["seed"], kept["mesh_scenes"], {name: list(run.values()) for name, run in runs.items()},
-          {name: [json.dumps(row) for row in kept[name]] for name in ("calm", "small_calm")})
+          {name: [json.dumps(row) for row in kept[name]] for name in OTHERS})
 
 
 def time_runs(quality):
@@ -176,7 +199,7 @@ def times():
 
 def check(quality, calm):
     """Yields what differs from the record."""
-    kept = [*whole()["runs"].values(), whole()["calm"], whole()["small_calm"]]
+    kept = [*whole()["runs"].values(), *(whole()[name] for name in OTHERS)]
     if digest([json.dumps(t) for part in kept for t in part]) != whole()["digest"]:
         yield f"{FILE.name} has been changed by hand"
     now = by_technique(measure(quality, *PART))
@@ -186,6 +209,11 @@ def check(quality, calm):
     run = "footprint 16 x 1/8"
     yield from differences(run, by_technique(measure(quality, *RUNS[run][0], "--scenes", "slanted")))
     yield from differences("forms 7", by_technique(measure(quality, *RUNS["forms 7"][0], "--scenes", "slanted")))
+    for now in map(json.loads, certain(measure(quality, *SMALL_CERTAIN))):
+        was = next(row for row in whole()["certain"] if (row["width"], row["judge"]) == (now["width"], now["judge"]))
+        for scene, figures in now["scenes"].items():
+            if any(abs(a - b) > TOLERANCE for a, b in zip(figures, was["scenes"][scene])):
+                yield f"certain by {now['judge']}, {scene}: {figures}, recorded {was['scenes'][scene]}"
     for was, is_ in zip(whole()["small_calm"], measure(calm, *SMALL_CALM)):
         if was.keys() != is_.keys() or any(
                 abs(is_[key] - was[key]) > TOLERANCE if isinstance(was[key], float) else is_[key] != was[key]

@@ -52,6 +52,8 @@ public:
     /// For what is coded after the filter: what is read back of a filtered texel, in place.
     virtual void code(float*) const {}
     virtual float visibility(const Query& query) const = 0;
+    /// What is lit at least, where visibility says how much at most; the same where that is no bound.
+    virtual float least(const Query& query) const { return visibility(query); }
 };
 
 /// What a technique may look at before it stores anything: the shadow map's depths, and the filter.
@@ -79,6 +81,8 @@ struct Own
     float shift; ///< of the receiver
 };
 
+using Prepare = std::function<std::unique_ptr<Estimator>(const Map&)>;
+
 /// A technique. To add one: an Estimator in techniques_KIND.cpp, and its rows in allTechniques().
 struct Technique
 {
@@ -91,10 +95,12 @@ struct Technique
     std::function<std::unique_ptr<Estimator>(const Map&)> prepare;
     std::string estimate = {}; ///< its row in tests/cost/estimates.def; none, and its cost is unknown
     Reading reading = Reading::Bilinear;
-    bool bias = false;           ///< whether the bias against rounding may be chosen, as a floor is
-    bool contact = false;        ///< whether light bleeding is reduced inside the estimate, not afterwards
-    bool variants = false;       ///< also with 4, 9, 16 and 25 taps, and at half resolution
-    double cut = 0.0;            ///< deviations of the window to each side that it reads; 0 for all of it
+    bool bias = false;     ///< whether the bias against rounding may be chosen, as a floor is
+    bool contact = false;  ///< whether light bleeding is reduced inside the estimate, not afterwards
+    bool variants = false; ///< also with 4, 9, 16 and 25 taps, and at half resolution
+    double cut = 0.0;      ///< deviations of the window to each side that it reads; 0 for all of it
+    std::vector<Prepare> warps =
+        {};                      ///< in place of prepare: that warp of depth is chosen which errs least in other lights
     std::optional<Own> own = {}; ///< filters by itself: prepared anew for each variant, of which it has half resolution
 };
 

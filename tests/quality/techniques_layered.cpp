@@ -10,6 +10,17 @@ namespace lvsm::quality
 namespace
 {
 
+/// Of depths that are counted from the far end.
+glm::vec2 mirrored(const glm::vec2& moments)
+{
+    return {1.0f - moments.x, 1.0f - 2.0f * moments.x + moments.y};
+}
+
+glm::vec2 mirroredInterval(const glm::vec2& interval)
+{
+    return {1.0f - interval.y, 1.0f - interval.x};
+}
+
 /// Two moments a layer, in the basis for few bits where the format is unorm8.
 class Layers : public Estimator
 {
@@ -91,6 +102,13 @@ public:
         return m_form(moments(q, layer - 1), moments(q, layer), moments(q, layer + 1), q.depth,
                       m_splits.interval(layer), minVariance(q, m_splits.length(layer)));
     }
+    float least(const Query& q) const override
+    {
+        const int layer = m_splits.layerOf(q.depth);
+        return 1.0f - m_form(mirrored(moments(q, layer + 1)), mirrored(moments(q, layer)),
+                             mirrored(moments(q, layer - 1)), 1.0f - q.depth,
+                             mirroredInterval(m_splits.interval(layer)), minVariance(q, m_splits.length(layer)));
+    }
 
 private:
     BoundedForm m_form;
@@ -105,7 +123,12 @@ public:
     {
     }
 
-    float visibility(const Query& q) const override
+    float visibility(const Query& q) const override { return bound(q, false); }
+    float least(const Query& q) const override { return 1.0f - bound(q, true); }
+
+private:
+    /// What is lit at most, or in the mirror.
+    float bound(const Query& q, bool isMirrored) const
     {
         const float variance = planeVariance(q.gradient, q.deviation);
         const float reach = std::sqrt(variance);
@@ -124,11 +147,17 @@ public:
             ownCovariance += covariance(q, i) * m_splits.length(i) / length;
         }
         const glm::vec3 covariances(covariance(q, first - 1), ownCovariance, covariance(q, last + 1));
-        return m_form(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth,
-                      glm::vec2(begin, begin + length), variance, minVariance(q, length), q.contact);
+        const glm::vec2 interval(begin, begin + length);
+        if (isMirrored)
+        {
+            return m_form(mirrored(moments(q, last + 1)), mirrored(own), mirrored(moments(q, first - 1)),
+                          glm::vec3(covariances.z, covariances.y, covariances.x), 1.0f - q.depth,
+                          mirroredInterval(interval), variance, minVariance(q, length), q.contact);
+        }
+        return m_form(moments(q, first - 1), own, moments(q, last + 1), covariances, q.depth, interval, variance,
+                      minVariance(q, length), q.contact);
     }
 
-private:
     PlaneForm m_form;
 
     float covariance(const Query& q, int layer) const

@@ -36,6 +36,11 @@ public:
     {
         return momentVisibility4(kept(q.texel, m_encoded), q.depth, q.bias * m_bias);
     }
+    float least(const Query& q) const override
+    {
+        const glm::vec4 mirrored = kept(q.texel, m_encoded) * glm::vec4(-1.0f, 1.0f, -1.0f, 1.0f);
+        return 1.0f - momentVisibility4(mirrored, 1.0f - q.depth, q.bias * m_bias);
+    }
 
 private:
     bool m_encoded;

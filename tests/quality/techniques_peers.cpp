@@ -86,6 +86,10 @@ Technique csm(int order, float strength, bool offset)
 std::vector<Technique> otherPeers()
 {
     std::vector<Technique> all{{"ESM r32f 80", true, 32, 1, Format::Fp32, false, fixed<Esm>(80.0f), "ESM"}};
+    all.push_back(all[0]);
+    all.back().name = "ESM r32f chosen";
+    for (const float exponent : {10.0f, 20.0f, 40.0f, 80.0f})
+        all.back().warps.push_back(fixed<Esm>(exponent));
     for (const int order : {4, 8, 16})
     {
         for (const bool offset : {true, false})

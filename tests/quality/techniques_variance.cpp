@@ -62,6 +62,14 @@ public:
         return exponentialVisibility4(glm::vec4(q.texel[0], q.texel[1], q.texel[2], q.texel[3]), q.depth, m_exponents,
                                       std::max(q.slopeVariance, q.storedVariance));
     }
+    float least(const Query& q) const override
+    {
+        const glm::vec2 warped = exponentialWarp(q.depth, m_exponents);
+        const glm::vec2 floors =
+            exponentialMinVariance(std::max(q.slopeVariance, q.storedVariance), q.depth, m_exponents);
+        return std::max(chebyshevLowerBound(glm::vec2(q.texel[0], q.texel[1]), warped.x, floors.x),
+                        chebyshevLowerBound(glm::vec2(q.texel[2], q.texel[3]), warped.y, floors.y));
+    }
 
 private:
     glm::vec2 m_exponents;
@@ -86,8 +94,32 @@ std::vector<Technique> varianceTechniques()
                                evsm4("EVSM4 rgba32f 40/5", 128, Format::Fp32, 40.0f, 5.0f),
                                evsm4("EVSM4 rgba32f 42/10", 128, Format::Fp32, 42.0f, 10.0f),
                                evsm4("EVSM4 rgba32f 42/42", 128, Format::Fp32, 42.0f, 42.0f)};
-    for (const std::size_t i : {0u, 4u, 6u})
-        all[i].variants = true;
+    all[0].variants = true;
+    // The same with exponents that are chosen.
+    const auto chosen = [&](Technique technique, const std::string& name, const std::vector<Prepare>& warps)
+    {
+        technique.name = name + " chosen";
+        technique.prepare = warps.front();
+        technique.warps = warps;
+        all.push_back(std::move(technique));
+    };
+    const auto both = [](const std::vector<float>& positive, const std::vector<float>& negative)
+    {
+        std::vector<Prepare> warps;
+        for (const float p : positive)
+        {
+            for (const float n : negative)
+                warps.push_back(fixed<Evsm4>(p, n));
+        }
+        return warps;
+    };
+    const std::vector<float> ofFp16{1.4f, 2.8f, kFp16};
+    chosen(all[1], "EVSM2 rg16f", {fixed<Evsm2>(1.4f), fixed<Evsm2>(2.8f), fixed<Evsm2>(kFp16)});
+    chosen(all[3], "EVSM2 rg32f",
+           {fixed<Evsm2>(2.5f), fixed<Evsm2>(5.0f), fixed<Evsm2>(10.0f), fixed<Evsm2>(20.0f), fixed<Evsm2>(42.0f)});
+    chosen(all[4], "EVSM4 rgba16f", both(ofFp16, ofFp16));
+    chosen(all[6], "EVSM4 rgba32f", both({5.0f, 10.0f, 20.0f, 42.0f}, {2.5f, 5.0f, 10.0f, 20.0f}));
+    all.back().variants = true;
     return all;
 }
 
