@@ -83,7 +83,8 @@ std::string pageText(const std::vector<Section>& sections, const std::vector<Ver
 std::string reportText(const std::vector<Section>& sections);
 
 /// Whether bleeding is large in VSM and gone in LVSM-4 and EVSM4 where the bench shields the ground, what share of VSM's
-/// error four placed layers leave, whose error is the least, of what the camera sees and of every surface, and whether the device's splits follow the host's.
+/// error four placed layers leave, whose error is the least, of what the camera sees and of every surface, whether the
+/// device's splits follow the host's, and what placing them in view space is worth.
 std::vector<Verdict> judge(const std::vector<Section>& sections);
 
 } // namespace lvsm::gallery

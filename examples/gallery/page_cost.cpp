@@ -26,6 +26,7 @@ const std::map<std::string, std::string>& estimates()
         {"lvsm4-uniform", "LVSM one placed layer"},
         {"lvsm4-manual", "LVSM one placed layer"},
         {"lvsm4", "LVSM one placed layer"},
+        {"lvsm4-view", "LVSM one placed layer"},
         {"lvsm4-optimal", "LVSM one placed layer"},
         {"lvsm4-apart", "LVSM one placed layer"},
         {"lvsm8", "LVSM one placed layer"},

@@ -18,10 +18,20 @@ constexpr float kLeastBleedingVariance = 0.01f;
 // Of a sum of floats, as optimalPass promises: what is better by less may as well be missed.
 constexpr float kPrecision = 1.0f / (1 << 20);
 
-std::vector<support::Binding> layout()
+constexpr std::uint32_t kSeenBinding = 5;
+
+std::vector<support::Binding> layout(bool isByScreen = false)
 {
-    return bindingsOf({Type::eCombinedImageSampler, Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer,
-                       Type::eUniformBuffer});
+    auto types = std::vector{Type::eCombinedImageSampler, Type::eStorageBuffer, Type::eUniformBuffer,
+                             Type::eStorageBuffer, Type::eUniformBuffer};
+    if (isByScreen)
+        types.push_back(Type::eCombinedImageSampler);
+    return bindingsOf(types);
+}
+
+std::string weightsMacro()
+{
+    return define("LVSM_PLACE_WEIGHTS", "layout(binding = " + std::to_string(kSeenBinding) + ")");
 }
 
 std::vector<float> uniformSplits(int layerCount)
@@ -62,13 +72,31 @@ RelaxOptions<float> relaxing()
 } // namespace
 
 Placer::Placer(const VulkanContext& gpu)
-    : m_gpu(gpu), m_count(gpu, compilePass("place_histogram.comp", depthMacro()), layout()),
+    : m_gpu(gpu), m_see(gpu, compile("seen.comp", support::ShaderStage::Compute),
+                        bindingsOf({Type::eUniformBuffer, Type::eCombinedImageSampler, Type::eCombinedImageSampler,
+                                    Type::eStorageImage})),
+      m_count(gpu, compilePass("place_histogram.comp", depthMacro()), layout()),
+      m_countSeen(gpu, compilePass("place_histogram.comp", depthMacro() + weightsMacro()), layout(true)),
       m_place(gpu, compilePass("place.comp", ""), layout()), m_sampler(support::makeSampler(gpu, vk::Filter::eNearest))
 {
 }
 
-Buffer Placer::place(const Technique& technique, const Scene& scene, const Light& light,
-                     const LightDepths& depths) const
+Texture Placer::countSeen(const Buffer& lightBlock, const LightDepths& depths, const Surface& surface,
+                          const support::Shape& size) const
+{
+    const support::Shape& map = depths.buffer.size;
+    const std::vector<std::uint32_t> none(map.count());
+    Texture seen =
+        support::makeTexture(m_gpu, map, vk::Format::eR32Uint, none.data(), none.size() * sizeof(std::uint32_t));
+    runOver(m_see,
+            {support::uniformAt(0, lightBlock), support::sampledAt(1, surface.positions().array, m_sampler),
+             support::sampledAt(2, surface.planeNormals().array, m_sampler), support::storageAt(3, seen.array)},
+            size);
+    return seen;
+}
+
+Buffer Placer::place(const Technique& technique, const Scene& scene, const Light& light, const LightDepths& depths,
+                     const Texture& seen) const
 {
     const Layers& layers = technique.layers;
     const bool layered = layers.placing != Placing::None;
@@ -79,23 +107,33 @@ Buffer Placer::place(const Technique& technique, const Scene& scene, const Light
         support::makeBufferOf(m_gpu, std::vector{storePass(start.data(), count, layers.overlap, depths.area()).block});
     if (layers.placing == Placing::Relaxed)
         run(relaxPass(count, depths.area(), relaxing()), depths, splits);
+    if (layers.placing == Placing::InView)
+        run(relaxPass(count, depths.area(), relaxing()), depths, splits, &seen);
     if (layers.placing == Placing::Optimal)
         run(optimalPass(count, depths.area()), depths, splits);
     return splits;
 }
 
-void Placer::run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits) const
+void Placer::run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits, const Texture* seen) const
 {
     const Buffer block = support::makeBufferOf(m_gpu, std::vector{pass.block});
     const Buffer histogram =
         support::makeBufferOf(m_gpu, std::vector<std::uint32_t>(pass.histogramBytes / sizeof(std::uint32_t)));
     for (int face = 0; face < depths.faceCount(); ++face)
     {
-        const std::vector<support::Binding> bindings{
+        std::vector<support::Binding> bindings{
             support::sampledAt(0, depths.faces[static_cast<std::size_t>(face)], m_sampler),
             support::bufferAt(1, histogram), support::uniformAt(2, block), support::bufferAt(3, splits),
             support::uniformAt(kDepthBlockBinding, depths.block)};
-        runPass(m_count, bindings, pass.groups);
+        if (seen != nullptr)
+        {
+            const auto view = support::makeSliceView(m_gpu, *seen, face);
+            auto all = bindings;
+            all.push_back(support::sampledAt(kSeenBinding, view, m_sampler));
+            runPass(m_countSeen, all, pass.groups);
+        }
+        else
+            runPass(m_count, bindings, pass.groups);
         if (face + 1 == depths.faceCount())
             runPass(m_place, bindings, {1, 1, 1});
     }

@@ -6,6 +6,7 @@
 #include <lvsm/passes_place.hpp>
 
 #include "light_depths.hpp"
+#include "raster.hpp"
 #include "scenes.hpp"
 #include "techniques.hpp"
 
@@ -27,19 +28,27 @@ class Placer
 public:
     explicit Placer(const VulkanContext& gpu);
 
+    /// How many pixels of the camera's picture, size of it, read each texel of the light's map.
+    Texture countSeen(const Buffer& lightBlock, const LightDepths& depths, const Surface& surface,
+                      const support::Shape& size) const;
+
     /// The block that store and shading read, with its splits where the technique has them for this light.
-    Buffer place(const Technique& technique, const Scene& scene, const Light& light, const LightDepths& depths) const;
+    Buffer place(const Technique& technique, const Scene& scene, const Light& light, const LightDepths& depths,
+                 const Texture& seen) const;
 
     /// Both placements on the device, against lloydRelax and optimalSplits; throws where these refuse the map.
     Differences compareWithHost(int layerCount, const LightDepths& depths) const;
 
 private:
     /// Runs one placement over all faces; the buffer is one of StoreBlock.
-    void run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits) const;
+    void run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits,
+             const Texture* seen = nullptr) const;
     std::vector<float> placedBy(const PlacePass& pass, const LightDepths& depths) const;
 
     const VulkanContext& m_gpu;
+    Kernel m_see;
     Kernel m_count;
+    Kernel m_countSeen;
     Kernel m_place;
     vk::raii::Sampler m_sampler;
 };

@@ -121,6 +121,8 @@ std::vector<Technique> table()
          kLayered, &kBlur, kOnes, placed(Placing::Manual), false},
         {"lvsm4", "LVSM-4", "Four layers in twice the storage; a surface still reads one, near a split two.", &kRgba16,
          2, blurred, kLayers, kLayered, &kBlur, kOnes, relaxed(4), true},
+        {"lvsm4-view", "LVSM-4, placed in view", "Four layers where what is on the screen needs them.", &kRgba16, 2,
+         blurred, kLayers, kLayered, &kBlur, kOnes, placed(Placing::InView), true},
         {"lvsm4-optimal", "LVSM-4, optimal", "Four layers of least spread.", &kRgba16, 2, blurred, kLayers, kLayered,
          &kBlur, kOnes, placed(Placing::Optimal), false},
         {"lvsm4-apart", "LVSM-4, no overlap", "Relaxed layers that end at their splits: seams may show there.",

@@ -40,7 +40,7 @@ enum class Making
     Mixed
 };
 
-/// Where the splits of layers come from: the last two from the placement passes, on the device.
+/// Where the splits of layers come from: the last three from the placement passes, on the device.
 enum class Placing
 {
     None,
@@ -48,6 +48,8 @@ enum class Placing
     /// At the points that the scene names.
     Manual,
     Relaxed,
+    /// By what the camera sees.
+    InView,
     Optimal
 };
 

@@ -8,6 +8,11 @@
 // placePass of include/lvsm/passes.hpp fills the block, says how many groups count, and how many bytes the histogram
 // takes. The splits are written where storePass has them, in the buffer that the store pass and the lighting read as
 // their uniform block lvsm_Store: bind it here as a storage buffer.
+//
+// Where splits are to follow what is on the screen, define in front of the pass
+//   #define LVSM_PLACE_WEIGHTS layout(binding = 5)   where a texture of whole numbers is, one for each texel of the depths:
+// how many of the screen's pixels read it, which the lighting can count by atomics. From 256 on they count as 256; a
+// texel with 0 has no say. It is what the paper gives to future work: the relaxation in view space.
 #ifndef LVSM_PASSES_PLACE_GLSL
 #define LVSM_PASSES_PLACE_GLSL
 

@@ -10,6 +10,9 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 LVSM_PLACE_DEPTHS uniform LVSM_DEPTH_TEXTURE lvsm_depths;
+#ifdef LVSM_PLACE_WEIGHTS
+LVSM_PLACE_WEIGHTS uniform LVSM_HIGHP usampler2D lvsm_seen;
+#endif
 
 // Low words of the group's own sums: what they carry goes to the buffer at once.
 shared uint lvsm_weights[LVSM_PLACE_BINS];
@@ -18,6 +21,16 @@ shared uint lvsm_weighted[LVSM_PLACE_BINS];
 float lvsm_placedDepth(ivec2 texel)
 {
     return clamp(lvsm_depthAt(lvsm_depths, min(texel, lvsm_map.zw - 1), 0), 0.0, 1.0);
+}
+
+// What a texel's neighbourhood counts for, from 0 to 1.
+float lvsm_placedShare(ivec2 texel)
+{
+#ifdef LVSM_PLACE_WEIGHTS
+    return float(min(texelFetch(lvsm_seen, texel, 0).x, 256u)) / 256.0;
+#else
+    return 1.0;
+#endif
 }
 
 // How much a neighbourhood weighs and under which value. Of four numbers the variance comes from their differences,
@@ -33,11 +46,11 @@ vec2 lvsm_placedSample(ivec2 texel)
     float across = (d00 - d10) + (d01 - d11);
     float squares = (left + right) * (left + right) + across * across + (left - right) * (left - right);
     if (lvsm_optimal != 0)
-        return vec2(sqrt(squares), d00);
+        return vec2(sqrt(squares) * lvsm_placedShare(texel), d00);
     bool whole = all(lessThan(texel + 1, max(lvsm_map.zw, lvsm_map.xy + 2)));
     float variance = 0.0625 * squares;
     float weight = whole && variance >= lvsm_minVariance ? min(variance, max(lvsm_maxVariance, 0.0)) : 0.0;
-    return vec2(weight, clamp(0.25 * ((d00 + d10) + (d01 + d11)) + sqrt(variance), 0.0, 1.0));
+    return vec2(weight * lvsm_placedShare(texel), clamp(0.25 * ((d00 + d10) + (d01 + d11)) + sqrt(variance), 0.0, 1.0));
 }
 
 uint lvsm_fixed(float value)

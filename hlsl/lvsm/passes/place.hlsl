@@ -14,6 +14,9 @@
 #include "../placement.hlsli"
 
 LVSM_DEPTH_TEXTURE lvsm_depths : register(LVSM_PLACE_DEPTHS);
+#ifdef LVSM_PLACE_WEIGHTS
+Texture2D<uint> lvsm_seen : register(LVSM_PLACE_WEIGHTS);
+#endif
 // The buffer of StoreBlock, as floats: the splits begin at LVSM_PLACED_FIRST.
 RWStructuredBuffer<float> lvsm_placed : register(LVSM_PLACE_SPLITS);
 static const int LVSM_PLACED_FIRST = 8;
@@ -35,6 +38,16 @@ float lvsm_placedDepth(int2 texel)
     return clamp(lvsm_depthAt(lvsm_depths, min(texel, lvsm_map.zw - 1), 0), 0.0, 1.0);
 }
 
+// What a texel's neighbourhood counts for, from 0 to 1.
+float lvsm_placedShare(int2 texel)
+{
+#ifdef LVSM_PLACE_WEIGHTS
+    return float(min(lvsm_seen.Load(int3(texel, 0)), 256u)) / 256.0;
+#else
+    return 1.0;
+#endif
+}
+
 // How much a neighbourhood weighs and under which value. Of four numbers the variance comes from their differences,
 // which do not cancel.
 float2 lvsm_placedSample(int2 texel)
@@ -48,11 +61,11 @@ float2 lvsm_placedSample(int2 texel)
     float across = (d00 - d10) + (d01 - d11);
     float squares = (left + right) * (left + right) + across * across + (left - right) * (left - right);
     if (lvsm_optimal != 0)
-        return float2(sqrt(squares), d00);
+        return float2(sqrt(squares) * lvsm_placedShare(texel), d00);
     bool whole = all(texel + 1 < max(lvsm_map.zw, lvsm_map.xy + 2));
     float variance = 0.0625 * squares;
     float weight = whole && variance >= lvsm_minVariance ? min(variance, max(lvsm_maxVariance, 0.0)) : 0.0;
-    return float2(weight, clamp(0.25 * ((d00 + d10) + (d01 + d11)) + sqrt(variance), 0.0, 1.0));
+    return float2(weight * lvsm_placedShare(texel), clamp(0.25 * ((d00 + d10) + (d01 + d11)) + sqrt(variance), 0.0, 1.0));
 }
 
 uint lvsm_fixed(float value)

@@ -2,6 +2,11 @@
 // Copyright (c) 2026 lvsm contributors
 // Needs: config.
 // What the two dispatches of place.hlsl share.
+//
+// Where splits are to follow what is on the screen, define in front of the pass
+//   #define LVSM_PLACE_WEIGHTS t5   where a texture of whole numbers is, one for each texel of the depths:
+// how many of the screen's pixels read it, which the lighting can count by atomics. From 256 on they count as 256; a
+// texel with 0 has no say. It is what the paper gives to future work: the relaxation in view space.
 #ifndef LVSM_PASSES_PLACE_HLSLI
 #define LVSM_PASSES_PLACE_HLSLI
 
