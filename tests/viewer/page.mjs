@@ -17,15 +17,20 @@ export class Viewer {
         await this.settled();
     }
 
-    // Another address in the page that is open.
+    // Another address in the page that is open, and its picture and error.
     async go(address) {
-        await this.tab.evaluate((hash) => new Promise((resolve) => {
+        await this.choose(address);
+        await this.settled();
+    }
+
+    // The same without waiting for a picture.
+    choose(address) {
+        return this.tab.evaluate((hash) => new Promise((resolve) => {
             if (location.hash === hash)
                 return resolve();
             addEventListener("hashchange", () => resolve(), {once: true});
             location.hash = hash;
         }), address);
-        await this.settled();
     }
 
     settled() {

@@ -1,8 +1,9 @@
 // Seen from the eye: what a technique makes of its map. In front of this stand its settings, store and visibility.
 #include <viewer_light>
-uniform LVSM_HIGHP sampler2DArray map;
+uniform LVSM_HIGHP MAP_SAMPLER map;
 uniform LVSM_HIGHP sampler2DArray unfiltered;
 uniform int slicesOfFace;
+uniform float mapSize; // of the depths
 uniform float tangent;
 layout(location = 0) out vec4 result;
 
@@ -24,8 +25,7 @@ void main()
         result = vec4(1.0, -1.0, 0.0, 0.0);
         return;
     }
-    vec2 size = vec2(textureSize(map, 0).xy);
-    vec2 gradient = lvsm_receiverGradient(vec3(at.dx * size, change.x), vec3(at.dy * size, change.y));
+    vec2 gradient = lvsm_receiverGradient(vec3(at.dx * mapSize, change.x), vec3(at.dy * mapSize, change.y));
     float lit = VISIBILITY;
     result = vec4(lit, LAYER, stored(map, at, depth));
 }

@@ -1,7 +1,9 @@
 // Shader text from the tables: with the settings as uniforms for the viewer, or as constants for whoever copies it.
 import {ESM_SIGNATURE, SIGNATURE, TECHNIQUES} from "./techniques.js";
 
-const MAP = "LVSM_HIGHP sampler2DArray";
+// Of codes, which are whole numbers, or of what a sampler filters.
+export const samplerOf = (technique) => (TECHNIQUES[technique].planes ? "usampler2DArray" : "sampler2DArray");
+const mapOf = (technique) => `LVSM_HIGHP ${samplerOf(technique)}`;
 const TYPES = {splits: "float"};
 
 // The first line of a whole pass is the client's: three.js writes its own.
@@ -20,15 +22,15 @@ export function uniformDeclarations(constants) {
 
 export const codeText = (technique) => TECHNIQUES[technique].coded ?? "";
 
-export const storeText = (technique) => TECHNIQUES[technique].store;
+export const storeText = (technique) => TECHNIQUES[technique].store ?? "";
 
 export function judgeText(technique) {
     const {judge, unfiltered} = TECHNIQUES[technique];
-    return `${(unfiltered ? ESM_SIGNATURE : SIGNATURE).replaceAll("MAP", MAP)}\n{${judge}\n}\n`;
+    return `${(unfiltered ? ESM_SIGNATURE : SIGNATURE).replaceAll("MAP", mapOf(technique))}\n{${judge}\n}\n`;
 }
 
 export function storedText(technique) {
-    return `vec2 stored(${MAP} map, lvsm_MapPoint at, float depth)\n{\n    ${TECHNIQUES[technique].stored.trim()}\n}\n`;
+    return `vec2 stored(${mapOf(technique)} map, lvsm_MapPoint at, float depth)\n{\n    ${TECHNIQUES[technique].stored.trim()}\n}\n`;
 }
 
 // A number as GLSL and HLSL both read a float.
@@ -54,13 +56,14 @@ function constantText([type, name, value], maxLayers, isHlsl) {
 
 export const maxLayersFor = (side, technique) => (TECHNIQUES[technique].layered && side.layers > 8 ? 16 : 8);
 
-// The same text in HLSL: types, and maps and samplers apart.
-function toHlsl(text) {
-    return text.replaceAll(`${MAP} map`, "Texture2DArray<float4> map")
-        .replaceAll(`${MAP} unfiltered`, "Texture2DArray<float4> unfiltered")
-        .replaceAll("lvsm_MapPoint at, float depth, vec2", "SamplerState filtering, lvsm_MapPoint at, float depth, vec2")
-        .replace(/\b(map|unfiltered), at\b/g, "$1, filtering, at").replace(/\b(map, )(unfiltered, filtering)/g, "$1$2")
-        .replace(/\bvec([234])\b/g, "float$1");
+// The same text in HLSL: types, and maps and samplers apart. planes: of codes, which no sampler reads.
+function toHlsl(text, planes) {
+    const typed = text.replace(/\bvec([234])\b/g, "float$1");
+    if (planes)
+        return typed.replace(/LVSM_HIGHP usampler2DArray/g, `Texture2DArray<uint${planes}>`);
+    return typed.replace(/LVSM_HIGHP sampler2DArray/g, "Texture2DArray<float4>")
+        .replaceAll("lvsm_MapPoint at, float depth, float2", "SamplerState filtering, lvsm_MapPoint at, float depth, float2")
+        .replace(/\b(map|unfiltered), at\b/g, "$1, filtering, at").replace(/\b(map, )(unfiltered, filtering)/g, "$1$2");
 }
 
 // The technique with its settings as constants, ready to paste behind lvsm_combined. language: "GLSL" or "HLSL".
@@ -68,15 +71,16 @@ export function pasteable(technique, side, frame, language, header) {
     const isHlsl = language === "HLSL";
     const maxLayers = maxLayersFor(side, technique);
     const constants = constantsOf(technique, side, frame).map((row) => constantText(row, maxLayers, isHlsl)).join("");
-    const text = `${constants}\n${storeText(technique)}\n${codeText(technique)}${judgeText(technique)}`;
+    const {planes, coded} = TECHNIQUES[technique];
+    const text = [constants, storeText(technique), codeText(technique) + judgeText(technique)].filter(Boolean).join("\n");
     const file = isHlsl ? "lvsm_separate.hlsli" : "lvsm_combined.glsl";
     const define = maxLayers > 8 ? `, and in front of that #define LVSM_MAX_LAYERS ${maxLayers}` : "";
     const lines = [...header, `Paste ${file} in front of this${define}.`,
-                   "store: a slice's texel for a depth in [0,1]. visibility: where, such as lvsm_mapPoint(uv, dFdx(uv),",
-                   "dFdy(uv), 0) or lvsm_cubePoint; the receiver's depth, and its gradient per texel from",
-                   "lvsm_receiverGradient."];
-    if (TECHNIQUES[technique].coded)
+                   ...(planes ? [] : ["store: a slice's texel for a depth in [0,1]."]),
+                   "visibility: where, such as lvsm_mapPoint(uv, dFdx(uv), dFdy(uv), 0) or lvsm_cubePoint; the receiver's",
+                   "depth, and its gradient per texel of the depths from lvsm_receiverGradient."];
+    if (coded)
         lines.push("code: what is written of store's texels once they are filtered in floats; the map is read without a filter.");
     const comment = lines.map((line) => `// ${line}\n`).join("");
-    return `${comment}${isHlsl ? toHlsl(text) : text}`;
+    return `${comment}${isHlsl ? toHlsl(text, planes) : text}`;
 }

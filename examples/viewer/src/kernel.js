@@ -12,6 +12,8 @@ const SHAPES = {
     // As wide as the binomial of as many taps.
     gaussian: (i, taps) => Math.exp(-2 * (i - (taps - 1) / 2) ** 2 / Math.max(taps - 1, 1)),
     box: (i, taps) => 1 / taps,
+    // That of mixtures where there are 3, 7 or 15 taps.
+    triangle: (i, taps) => Math.min(i, taps - 1 - i) + 1,
 };
 
 // shape: of SHAPES. taps: an odd number. Result: weights that add up to 1, their standard deviation, and the width of

@@ -1,18 +1,22 @@
-// From the light's depths to what a technique reads: the library's passes store.frag, blur.frag and mip.frag, over every
-// slice.
+// From the light's depths to what a technique reads: the library's passes store.frag, blur.frag and mip.frag over every
+// slice, or mixture.frag.
 import * as THREE from "three";
 import store from "lvsm/shaders/lvsm_store.frag";
 import blur from "lvsm/shaders/lvsm_blur.frag";
 import mip from "lvsm/shaders/lvsm_mip.frag";
+import mixture from "lvsm/shaders/lvsm_mixture.frag";
 import {largestOf, FORMATS, textureOptions} from "./formats.js";
 import {codeText, constantsOf, maxLayersFor, storeText, uniformDeclarations, withoutVersion} from "./glsl.js";
 import {blurBlock, fetchesOf, mipBlock, storeBlock} from "./kernel.js";
+import {mixtureDraws} from "./mixtures.js";
 import {uniformsOf} from "./passes.js";
 import {formatOfMap, sliceCount, TECHNIQUES} from "./techniques.js";
 
 const STORE = withoutVersion(store);
 const BLUR = withoutVersion(blur);
 const MIP = withoutVersion(mip);
+const MIXTURE = withoutVersion(mixture);
+const NEAREST = {minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter};
 
 export function valuesOf(technique, side, frame) {
     const maxLayers = maxLayersFor(side, technique);
@@ -64,7 +68,11 @@ export class MapMaker {
     // The map of a side, stored and blurred, and the unblurred one, all slices of a face of the light one after the other.
     // depths: for each face a target of linear depths. frame: what it knows of kernel, splits, mip maps and anisotropy.
     make(name, technique, side, frame, depths) {
-        const {channels, filtered, unfiltered, coded} = TECHNIQUES[technique];
+        const {channels, filtered, unfiltered, coded, planes} = TECHNIQUES[technique];
+        if (planes) {
+            const codes = this.timer.measured(`${name} mixtures`, () => this.makeMixtures(name, planes, side, depths));
+            return {map: codes, unfiltered: codes};
+        }
         const own = sliceCount(TECHNIQUES[technique], side);
         const slices = own * depths.length;
         const size = frame.size;
@@ -97,6 +105,23 @@ export class MapMaker {
         if (hasLevels)
             this.timer.measured(`${name} levels`, () => this.makeLevels(map, plain, slices));
         return {map: map.texture, unfiltered: unfiltered ? stored.texture : map.texture};
+    }
+
+    // The codes of every face, one slice each. planes: two or four.
+    makeMixtures(name, planes, {window: width, half, format}, depths) {
+        const {blocks, coded, between} = mixtureDraws(width, half, depths[0].width);
+        const target = (part, side, slices, channels) => this.passes.target(
+            `${name}.${part}`, {width: side, height: side, slices, ...textureOptions(format, channels), ...NEAREST});
+        const codes = target("codes", coded, depths.length, planes);
+        const mixtures = blocks.slice(1).map((_, i) => target(`mixtures${i % 2}`, between, planes, 4));
+        depths.forEach((depth, face) => blocks.forEach((block, i) => {
+            const [source, next] = [mixtures[i - 1] ?? depth, mixtures[i]];
+            const defines = {LVSM_MIXTURE_COUNT: planes, ...(source !== depth && {LVSM_MIXTURE_FROM_MIXTURES: ""}),
+                             ...(next && {LVSM_MIXTURE_TO_MIXTURES: ""})};
+            const material = this.passes.material(MIXTURE, {lvsm_source: {value: source.texture}}, {defines});
+            this.passes.drawOver(next ?? codes, material, next ? {block, layers: planes} : {block, slice: face});
+        }));
+        return codes.texture;
     }
 
     blur(stored, halfway, blurred, borders, {kernel, size}) {

@@ -72,9 +72,9 @@ export class Passes {
         this.renderer.render(scene, camera);
     }
 
-    // Over a slice of the target, or the square at its corner that is extent wide. block: data of the shader's one uniform
-    // block, if it has any.
-    drawOver(target, material, {slice = 0, extent, block} = {}) {
+    // Over a slice of the target, or the square at its corner that is extent wide; or over so many layers from the first on
+    // at once. block: data of the shader's one uniform block, if it has any.
+    drawOver(target, material, {slice = 0, layers = 1, extent, block} = {}) {
         if (block) {
             this.gl.bindBuffer(this.gl.UNIFORM_BUFFER, this.block);
             this.gl.bufferData(this.gl.UNIFORM_BUFFER, block, this.gl.STREAM_DRAW);
@@ -83,7 +83,18 @@ export class Passes {
         target?.viewport.set(0, 0, extent ?? target.width, extent ?? target.height);
         this.fullScreen.material = material;
         this.renderer.setRenderTarget(target, slice);
+        if (layers > 1)
+            this.attachLayers(target, layers);
         this.renderer.render(this.fullScreen, this.noCamera);
+    }
+
+    // Of an array of textures three.js attaches one.
+    attachLayers({texture}, layers) {
+        const {gl} = this;
+        const attachments = Array.from({length: layers}, (_, layer) => gl.COLOR_ATTACHMENT0 + layer);
+        const array = this.renderer.properties.get(texture).__webglTexture;
+        attachments.forEach((at, layer) => gl.framebufferTextureLayer(gl.FRAMEBUFFER, at, array, 0, layer));
+        gl.drawBuffers(attachments);
     }
 
     // What has just been drawn, the square at its corner, becomes a level of a slice of an array of textures.

@@ -10,7 +10,7 @@ import judgeFragment from "../shaders/judge.frag.glsl";
 import exactFragment from "../shaders/exact.frag.glsl";
 import measureFragment from "../shaders/measure.frag.glsl";
 import showFragment from "../shaders/show.frag.glsl";
-import {constantsOf, judgeText, maxLayersFor, storeText, storedText, uniformDeclarations} from "./glsl.js";
+import {constantsOf, judgeText, maxLayersFor, samplerOf, storeText, storedText, uniformDeclarations} from "./glsl.js";
 import {MapMaker, valuesOf} from "./maps.js";
 import {Passes, uniformsOf} from "./passes.js";
 import {sliceCount, TECHNIQUES} from "./techniques.js";
@@ -137,10 +137,11 @@ export class Picture {
         const constants = constantsOf(technique, side, frame);
         const fragment = `#include <lvsm>\n#include <lvsm_sampling>\n${uniformDeclarations(constants)}
             ${storeText(technique)}${judgeText(technique)}${storedText(technique)}
+            #define MAP_SAMPLER ${samplerOf(technique)}
             #define LAYER ${layered ? "float(lvsm_layerIndex(depth, splits, layerCount))" : "0.0"}
             #define VISIBILITY visibility(map, ${takesUnfiltered ? "unfiltered, " : ""}at, depth, gradient)
             ${judgeFragment}`;
-        const uniforms = uniformsOf({map, unfiltered, slicesOfFace: sliceCount(TECHNIQUES[technique], side),
+        const uniforms = uniformsOf({map, unfiltered, mapSize: frame.size, slicesOfFace: sliceCount(TECHNIQUES[technique], side),
                                      ...Object.fromEntries(valuesOf(technique, side, frame))});
         return this.passes.material(fragment, {...this.shared, ...uniforms},
                                     {isScene: true, defines: {LVSM_MAX_LAYERS: maxLayersFor(side, technique)}});

@@ -12,7 +12,7 @@ export function describeSide(side, own, figures) {
     // Codes are of 16 bits, in whichever format this device has for them.
     const format = technique.coded ? "unorm16" : own.format;
     if (!technique.exact)
-        said.push(`${bitsOf(format, technique.channels, sliceCount(technique, own))} bits`);
+        said.push(`${bitsOf(format, technique.channels, sliceCount(technique, own)) / (own.half ? 4 : 1)} bits`);
     if (!technique.exact && figures)
         said.push(`RMSE ${figures.rmse.toFixed(4)}`);
     byId(`${side}-figures`).textContent = said.join(" · ");

@@ -2,6 +2,7 @@
 // technique are named by techniques.js, which has their defaults, and exist once for each side of the divider.
 import {SCENES} from "./scenes.js";
 import {FORMATS} from "./formats.js";
+import {MIXTURE_WIDTHS} from "./mixtures.js";
 import {TECHNIQUES} from "./techniques.js";
 
 const named = (table, key = "name") => Object.entries(table).map(([id, row]) => [id, row[key]]);
@@ -23,7 +24,7 @@ export const SETTINGS = {
     size: choice("Map size", "Texels along each side of the shadow map; half as many for each face of a point light.",
                  numbered(256, 512, 1024, 2048), 512),
     kernel: choice("Blur", "Weights of the blur, which both sides and the exact answer share.",
-                   [["binomial", "Binomial"], ["gaussian", "Gaussian"], ["box", "Box"]], "binomial"),
+                   [["binomial", "Binomial"], ["gaussian", "Gaussian"], ["box", "Box"], ["triangle", "Triangle"]], "binomial"),
     taps: choice("Blur width", "Texels in each direction; 1 leaves the map as it was drawn.",
                  numbered(1, 3, 5, 7, 9, 13, 17), 9),
     mipmaps: toggle("Mip maps", "Smaller levels of the map, for receivers far from the eye.", false),
@@ -59,6 +60,9 @@ export const SIDE_SETTINGS = {
                  0, 2, 0.05),
     bias: scale("Depth bias", "Moves receivers towards the light, in depth: less acne, more light at contact.", 1e-5, 0.1),
     width: range("Filter width", "Texels along each side of the box; the default spreads as much as the blur.", 1, 21, 0.1),
+    window: choice("Window", "Texels in each direction of the mixtures' own filter; the default spreads most like the blur.",
+                   numbered(...MIXTURE_WIDTHS)),
+    half: toggle("Half resolution", "One code for 2 x 2 depths: a fourth of the storage.", false),
     plane: toggle("Receiver plane", "Compares each texel with the receiver's plane there, not with its depth.", true),
     exponent: range("Exponent", "Of the positive warp: more of it bleeds less; formats bear 5.54 (16) and 43.3 (32 bits).",
                     1, 43.3, 0.1),

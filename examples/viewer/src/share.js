@@ -28,8 +28,10 @@ export function makeShare(viewer) {
         const blur = row.filtered && kernel.taps > 1 ? `blurred by ${kernel.taps} taps (${state.get("kernel")}) in each direction`
                                                      : "not blurred";
         const count = slices > 1 ? `${slices} slices` : "one slice";
-        const header = [`${row.name}: ${FORMATS[own.format].name}, ${row.channels} components, ${count}, ${blur};`,
-                        "cleared to store(1.0, slice)."];
+        const made = row.planes ? ["made by lvsm_mixture.frag or .comp, whose blocks are those of",
+                                   `mixtureDraws or mixturePasses(${own.window}, ${own.half}, ...).`]
+                                : [`${count}, ${blur};`, "cleared to store(1.0, slice)."];
+        const header = [`${row.name}: ${FORMATS[own.format].name}, ${row.channels} components, ${made[0]}`, ...made.slice(1)];
         return pasteable(technique, own, viewer.loop.frameOf(side), language, header);
     }
 

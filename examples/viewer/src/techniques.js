@@ -7,17 +7,41 @@
 //   constants   [type, name, value] of what the GLSL names, for the side's settings and what the frame knows
 //   store       vec4 store(float depth, int slice): what a slice holds for a depth
 //   coded       vec4 code(vec4 filtered): what is written of the map once it is filtered, in floats; no hardware filters it
+//   planes      of mixtures: their map is made by passes/mixture, and store is none
 //   judge       the rest: float visibility(...), see MAP
 //   stored      mean and spread of the stored depths, for the views: vec2 stored(MAP map, lvsm_MapPoint at, float depth)
 import {depthErrorOf} from "./formats.js";
 import {FLOORED, floorOf, REDUCED, SHIFT, SHIFTED} from "./constants.js";
 import {LAYERED_TECHNIQUES} from "./layered.js";
+import {matchingWidth, mixtureWindow} from "./mixtures.js";
 
 // What visibility is called with. ESM alone reads the unblurred map too.
 export const SIGNATURE = "float visibility(MAP map, lvsm_MapPoint at, float depth, vec2 gradient)";
 export const ESM_SIGNATURE = "float visibility(MAP map, MAP unfiltered, lvsm_MapPoint at, float depth, vec2 gradient)";
 
 const STORED_DEPTH = "vec4 store(float depth, int slice)\n{\n    return vec4(depth, depth, depth, depth);\n}\n";
+
+const mixtureOf = (planes) => ({
+    source: "this library, mixture",
+    formats: ["words"], channels: planes, filtered: false, planes,
+    settings: {window: (side, device, kernel) => matchingWidth(side.half, kernel), half: false},
+    constants: [["float", "texels", (side) => (side.half ? 2 : 1)],
+                ["float", "deviation", (side) => mixtureWindow(side.window, side.half).deviation]],
+    judge: `
+    return lvsm_sampleMixture${planes}(map, at, depth, gradient, texels, deviation);`,
+    stored: `
+    uvec4 code = texelFetch(map, ivec3(at.uv * vec2(textureSize(map, 0).xy), at.slice), 0);
+    lvsm_MixturePlanes mixture = lvsm_decodeMixture${planes}(code${planes === 2 ? ".xy" : ""}, deviation);
+    float mean = 0.0;
+    float square = 0.0;
+    for (int i = 0; i < ${planes}; ++i)
+    {
+        lvsm_MixturePlane plane = mixture.planes[i];
+        mean += plane.weight * plane.depth;
+        square += plane.weight * (plane.depth * plane.depth + plane.deviation * plane.deviation);
+    }
+    return vec2(mean, sqrt(max(square - mean * mean, 0.0)));`,
+});
 
 export const TECHNIQUES = {
     basic: {
@@ -211,6 +235,16 @@ export const TECHNIQUES = {
     float cosine = lvsm_decodeFourier(lvsm_sampleSlice(map, at, 1, store(1.0, 1))).x;
     float spread = sqrt(max(-2.0 * log(max(length(vec2(sine, cosine)), 1.0e-6)), 0.0));
     return vec2(atan(sine, cosine), spread) / (3.14159265 * (1.0 - 1.0 / float(order)));`,
+    },
+    mixture2: {
+        name: "Mixture of two planes",
+        line: "What lies under the filter, as two planes in 64 bits: an estimate and no bound, read by one fetch.",
+        ...mixtureOf(2),
+    },
+    mixture4: {
+        name: "Mixture of four planes",
+        line: "The same as four planes in 128 bits, for windows that see more than two surfaces.",
+        ...mixtureOf(4),
     },
     exact: {
         name: "The exact answer",
