@@ -36,6 +36,7 @@ export function mixtureDraws(width, half, size) {
         new Int32Array(data).set([0, 0, size, size, -x, -y, coded + x, coded + y, ...from.map((reach) => -reach),
                                   ...to.map((reach) => -reach), ...stage, 1, texels]);
         new Float32Array(data, 64, 1).set([deviation]);
+        new Float32Array(data, 72, 2).set([0.25, 0.25]); // what each outer texel of a round gets, as in mixtureWindow
         return data;
     });
     return {blocks, coded, between: coded + 2 * Math.max(...margin)};
