@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -100,8 +101,6 @@ private:
         Buffer lightBlock;
         LightDepths depths;
         PeelCounts peels = {};
-        // How often the picture reads each texel of the map.
-        Texture seen = {};
         // By the window's name.
         std::map<std::string, Truth> truths = {};
         std::vector<bool> shielded = {};
@@ -110,14 +109,12 @@ private:
     Subject subjectOf(const Scene& scene, const Light& light, const Buffer& vertices, const Surface& surface,
                       const Picture& picture) const
     {
-        Subject subject{scene,
-                        light,
-                        picture,
-                        surface,
-                        support::makeBufferOf(m_gpu, std::vector{light.block}),
-                        m_reader.read(m_shadowPass.draw(vertices, light), light)};
-        subject.seen = m_placer.countSeen(subject.lightBlock, subject.depths, surface, {picture.width, picture.height});
-        return subject;
+        return {scene,
+                light,
+                picture,
+                surface,
+                support::makeBufferOf(m_gpu, std::vector{light.block}),
+                m_reader.read(m_shadowPass.draw(vertices, light), light)};
     }
 
     // Adds the receivers of the light's depth peels, the nearest first.
@@ -167,7 +164,11 @@ private:
         row.shaded = fileName(subject, technique.id);
         row.errors = fileName(subject, technique.id + "-error");
 
-        const Buffer splits = m_placer.place(technique, subject.scene, subject.light, subject.depths, subject.seen);
+        std::optional<Texture> seen;
+        if (technique.layers.placing == Placing::InView)
+            seen = m_placer.countSeen(subject.lightBlock, subject.depths, subject.surface,
+                                      {subject.picture.width, subject.picture.height});
+        const Buffer splits = m_placer.place(technique, subject.scene, subject.light, subject.depths, seen);
         const auto visibility = runner.run(subject.light, subject.lightBlock, subject.depths, splits, subject.surface);
         const Truth& truth = truthOf(subject, *technique.window);
         const std::size_t camera = subject.picture.surface.size();
@@ -201,7 +202,7 @@ private:
             const float angle = kSweep * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f);
             const Light light = makeTurnedLight(scene, m_options.mapSize, angle);
             Subject subject = subjectOf(scene, light, vertices, surface, picture);
-            const Buffer splits = m_placer.place(**layered, scene, light, subject.depths, subject.seen);
+            const Buffer splits = m_placer.place(**layered, scene, light, subject.depths);
             const Differences differences = m_placer.compareWithHost((*layered)->layerCount, subject.depths);
             const std::string name = fileName(subject, "frame" + std::to_string(i));
             const Truth& truth = truthOf(subject, blurWindow());

@@ -96,7 +96,7 @@ Texture Placer::countSeen(const Buffer& lightBlock, const LightDepths& depths, c
 }
 
 Buffer Placer::place(const Technique& technique, const Scene& scene, const Light& light, const LightDepths& depths,
-                     const Texture& seen) const
+                     const std::optional<Texture>& seen) const
 {
     const Layers& layers = technique.layers;
     const bool layered = layers.placing != Placing::None;
@@ -105,32 +105,31 @@ Buffer Placer::place(const Technique& technique, const Scene& scene, const Light
     const int count = layered ? layers.count : 0;
     Buffer splits =
         support::makeBufferOf(m_gpu, std::vector{storePass(start.data(), count, layers.overlap, depths.area()).block});
-    if (layers.placing == Placing::Relaxed)
-        run(relaxPass(count, depths.area(), relaxing()), depths, splits);
-    if (layers.placing == Placing::InView)
-        run(relaxPass(count, depths.area(), relaxing()), depths, splits, &seen);
+    if (layers.placing == Placing::Relaxed || layers.placing == Placing::InView)
+        run(relaxPass(count, depths.area(), relaxing()), depths, splits, seen);
     if (layers.placing == Placing::Optimal)
         run(optimalPass(count, depths.area()), depths, splits);
     return splits;
 }
 
-void Placer::run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits, const Texture* seen) const
+void Placer::run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits,
+                 const std::optional<Texture>& seen) const
 {
     const Buffer block = support::makeBufferOf(m_gpu, std::vector{pass.block});
     const Buffer histogram =
         support::makeBufferOf(m_gpu, std::vector<std::uint32_t>(pass.histogramBytes / sizeof(std::uint32_t)));
     for (int face = 0; face < depths.faceCount(); ++face)
     {
-        std::vector<support::Binding> bindings{
+        const std::vector<support::Binding> bindings{
             support::sampledAt(0, depths.faces[static_cast<std::size_t>(face)], m_sampler),
             support::bufferAt(1, histogram), support::uniformAt(2, block), support::bufferAt(3, splits),
             support::uniformAt(kDepthBlockBinding, depths.block)};
-        if (seen != nullptr)
+        if (seen)
         {
             const auto view = support::makeSliceView(m_gpu, *seen, face);
-            auto all = bindings;
-            all.push_back(support::sampledAt(kSeenBinding, view, m_sampler));
-            runPass(m_countSeen, all, pass.groups);
+            auto withSeen = bindings;
+            withSeen.push_back(support::sampledAt(kSeenBinding, view, m_sampler));
+            runPass(m_countSeen, withSeen, pass.groups);
         }
         else
             runPass(m_count, bindings, pass.groups);

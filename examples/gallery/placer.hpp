@@ -1,6 +1,7 @@
 #ifndef LVSM_GALLERY_PLACER_HPP
 #define LVSM_GALLERY_PLACER_HPP
 
+#include <optional>
 #include <vector>
 
 #include <lvsm/passes_place.hpp>
@@ -32,9 +33,10 @@ public:
     Texture countSeen(const Buffer& lightBlock, const LightDepths& depths, const Surface& surface,
                       const support::Shape& size) const;
 
-    /// The block that store and shading read, with its splits where the technique has them for this light.
+    /// The block that store and shading read, with its splits where the technique has them for this light. seen: of
+    /// countSeen, for a technique that is placed in view.
     Buffer place(const Technique& technique, const Scene& scene, const Light& light, const LightDepths& depths,
-                 const Texture& seen) const;
+                 const std::optional<Texture>& seen = {}) const;
 
     /// Both placements on the device, against lloydRelax and optimalSplits; throws where these refuse the map.
     Differences compareWithHost(int layerCount, const LightDepths& depths) const;
@@ -42,7 +44,7 @@ public:
 private:
     /// Runs one placement over all faces; the buffer is one of StoreBlock.
     void run(const PlacePass& pass, const LightDepths& depths, const Buffer& splits,
-             const Texture* seen = nullptr) const;
+             const std::optional<Texture>& seen = {}) const;
     std::vector<float> placedBy(const PlacePass& pass, const LightDepths& depths) const;
 
     const VulkanContext& m_gpu;
