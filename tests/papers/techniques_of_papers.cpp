@@ -108,12 +108,6 @@ std::vector<float> relaxedSplits(const quality::Scene& scene, int count)
     return splits;
 }
 
-quality::Technique techniqueNamed(const std::string& name)
-{
-    const std::vector<quality::Technique> all = quality::allTechniques();
-    return *std::find_if(all.begin(), all.end(), [&](const quality::Technique& t) { return t.name == name; });
-}
-
 std::vector<float> visibilities(const Lit& lit, const quality::Technique& technique)
 {
     quality::MapMaker maker(technique, lit.scene, {lit.filterWidth}, quality::Rounding::EachPass);

@@ -32,8 +32,7 @@ std::vector<float> relaxedSplits(const quality::Scene& scene, int count);
 /// Depths of the map, row by row.
 std::vector<float> mapDepths(const quality::Scene& scene);
 
-/// One of tests/quality by its name there.
-quality::Technique techniqueNamed(const std::string& name);
+using quality::techniqueNamed;
 
 /// What a technique makes of every receiver of a view, each pass of its filter rounded to its format.
 std::vector<float> visibilities(const Lit& lit, const quality::Technique& technique);

@@ -1,4 +1,5 @@
 """The recorded errors, as tests/docs/documents.py shows them; quality/recorded compares them with what is now."""
+import certain_tables
 import choose
 import mixture_tables
 import recorded
@@ -92,10 +93,12 @@ def peers_of(bits):
 
 TABLES = {"quality.limits": limits, "quality.groups": groups,
           **{f"quality.bits{bits}": results(bits) for bits in choose.BUDGETS},
-          **mixture_tables.TABLES, "choose.bits": choose.bits_table, "choose.wide": choose.wide_table, "choose.figures": choose.figures_table, "choose.cost": choose.cost_table, "choose.total": choose.total_table,
-          "choose.forms": choose.forms_table,
-          "choose.all": choose.full_table}
+          **mixture_tables.TABLES, **certain_tables.TABLES, "choose.bits": choose.bits_table,
+          "choose.wide": choose.wide_table, "choose.figures": choose.figures_table, "choose.cost": choose.cost_table,
+          "choose.total": choose.total_table, "choose.forms": choose.forms_table, "choose.all": choose.full_table}
 NAMES = {"rmse": rmse, "ratio": ratio, "ratios": ratios, "share_of": share_of, "peers_of": peers_of,
          "columns": COLUMNS, "seed": recorded.whole()["seed"], "wide_ratio": choose.wide_ratio,
-         "one_sample_ratio": choose.one_sample_ratio, "form_error": choose.form_error, "PCF_AS_GOOD": lambda: choose.as_good_as_pcf(True), "TIMES": recorded.times, **mixture_tables.NAMES}
+         "one_sample_ratio": choose.one_sample_ratio, "form_error": choose.form_error,
+         "PCF_AS_GOOD": lambda: choose.as_good_as_pcf(True), "TIMES": recorded.times,
+         **mixture_tables.NAMES, **certain_tables.NAMES}
 FILES = {"docs/choose.svg": choose.picture}

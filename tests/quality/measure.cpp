@@ -16,7 +16,6 @@ namespace
 constexpr std::size_t kChoiceReceivers = 2400;
 constexpr std::size_t kLeastReceivers = 150;
 constexpr std::size_t kBleeding = 4; // member of a setting
-constexpr int kRounds = 2;           // that all members of a setting are tried, one after the other
 
 class Sum
 {
@@ -96,36 +95,20 @@ public:
     {
     }
 
-    /// A setting with its error in the other lights.
+    /// A setting with its squared errors in the other lights.
     struct Chosen
     {
         Setting setting;
-        double error;
+        double cost;
     };
 
     /// The best for one light, by the others.
     Chosen best(std::size_t light)
     {
-        Settings::Index index = m_settings.plain();
-        double least = error(index, light);
-        for (int round = 0; round < kRounds; ++round)
-        {
-            for (std::size_t member = 0; member < index.size(); ++member)
-            {
-                for (std::size_t value = 0; value < m_settings.count(member); ++value)
-                {
-                    Settings::Index other = index;
-                    other[member] = value;
-                    const double otherError = error(other, light);
-                    if (otherError < least)
-                    {
-                        least = otherError;
-                        index = other;
-                    }
-                }
-            }
-        }
-        return {m_settings.at(index), least};
+        return m_settings.best(Settings::kMembers,
+                               [&](const Settings::Index& index) {
+                                   return Chosen{m_settings.at(index), error(index, light)};
+                               });
     }
 
 private:
@@ -301,7 +284,7 @@ std::vector<std::size_t> bestWarps(const Technique& technique, const std::vector
         Trials trials(warped, {}, maps, lights);
         for (std::size_t i = 0; i < lights.size(); ++i)
         {
-            const double error = lights[i].isReported ? trials.best(i).error : 0.0;
+            const double error = lights[i].isReported ? trials.best(i).cost : 0.0;
             if (error < least[i])
             {
                 least[i] = error;
@@ -339,7 +322,7 @@ std::vector<Measurement> measureIn(const Technique& technique, const std::vector
                 technique.cut > 0.0 ? static_cast<int>(terms.window.cut(technique.cut).size()) : terms.window.width;
             result.footprint = terms.footprint;
             result.samples = maps[i].samples();
-            result.estimate = technique.estimate + (result.reading == Reading::Nearest ? " moved" : "");
+            result.estimate = technique.estimateBy(result.reading);
             result.scene = lights[i].scene.name;
             result.mesh = lights[i].scene.mesh;
             addErrors(maps[i], technique, lights[i], trials.best(i).setting, result);

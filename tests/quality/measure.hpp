@@ -120,14 +120,43 @@ class Settings
 public:
     explicit Settings(const Technique& technique);
 
-    using Index = std::array<std::size_t, 5>;
+    static constexpr std::size_t kMembers = 5;
+    using Index = std::array<std::size_t, kMembers>;
     Setting at(const Index& index) const;
     Index plain() const;
     /// How many values a member has.
     std::size_t count(std::size_t member) const { return m_values[member].size(); }
 
+    /// What judge says of the settings that are tried, where its member cost is least. members: so many of the first are
+    /// tried, and the rest stays as it is by itself.
+    template <typename Judge>
+    auto best(std::size_t members, Judge judge) const
+    {
+        Index index = plain();
+        auto least = judge(index);
+        for (int round = 0; round < kRounds; ++round)
+        {
+            for (std::size_t member = 0; member < members; ++member)
+            {
+                for (std::size_t value = 0; value < count(member); ++value)
+                {
+                    Index other = index;
+                    other[member] = value;
+                    auto found = judge(other);
+                    if (found.cost < least.cost)
+                    {
+                        least = found;
+                        index = other;
+                    }
+                }
+            }
+        }
+        return least;
+    }
+
 private:
-    std::array<std::vector<float>, 5> m_values;
+    static constexpr int kRounds = 2;
+    std::array<std::vector<float>, kMembers> m_values;
 };
 
 /// The estimate that counts: with light bleeding reduced.

@@ -121,30 +121,8 @@ def calm_of(name):
     return recorded.technique(name)["calm"]
 
 
-def certainty(width, judge):
-    """Means over the mesh scenes of what recorded.CERTAINTY names, with the cost and PCF's error's worst excess."""
-    row = next(row for row in recorded.whole()["certain"] if (row["width"], row["judge"]) == (width, judge))
-    scenes = [dict(zip(recorded.CERTAINTY, figures)) for figures in row["scenes"].values()]
-    found = {key: recorded.mean(scene[key] for scene in scenes) for key in recorded.CERTAINTY}
-    for key in ("groups", "groups_magnified", "uncertain"):
-        found[f"cost by {key}"] = recorded.mean(scene["bound_cost"] + scene[key] * scene["pcf_cost"] for scene in scenes)
-    return found | {"peer": row["peer"], "error": found["rmse"] / found["pcf_rmse"]}
-
-
-def certain():
-    lines = [["surely lit or dark by", "width", "error over PCF's", "receivers that are not", "groups of 8 x 8",
-              "groups, magnified", "bound", "with PCF for the groups", "magnified", "PCF for all"]]
-    for row in recorded.whole()["certain"]:
-        c = certainty(row["width"], row["judge"])
-        lines.append([row["judge"] + (" (peer)" if c["peer"] else ""), str(row["width"]), f"{c['error']:.2f}",
-                      *(f"{c[key]:.2f}" for key in ("uncertain", "groups", "groups_magnified")),
-                      *(f"{c[key]:.0f}" for key in ("bound_cost", "cost by groups", "cost by groups_magnified", "pcf_cost"))])
-    return lines
-
-
-TABLES = {"quality.certain": certain, "mixtures.goals": goals, "mixtures.width7": errors("7"), "mixtures.width15": errors("15"),
+TABLES = {"mixtures.goals": goals, "mixtures.width7": errors("7"), "mixtures.width15": errors("15"),
           "mixtures.width25": errors("25"), "mixtures.tree7": errors("tree 7"), "mixtures.tree15": errors("tree 15"),
           "quality.minified": minified, "quality.calm": calm}
-NAMES = {"certainty": certainty, "certain_judges": lambda: [row["judge"] for row in recorded.whole()["certain"]],
-         "over_published": over_published, "DECODED": DECODED, "WINDOWS": WINDOWS, "worst_family": worst_family, "flicker_ratios": flicker_ratios,
+NAMES = {"over_published": over_published, "DECODED": DECODED, "WINDOWS": WINDOWS, "worst_family": worst_family, "flicker_ratios": flicker_ratios,
          "calm_of": calm_of, "chosen": lambda name, run="7": recorded.technique(name, run)["chosen"]}

@@ -24,17 +24,6 @@ namespace
 constexpr int kSize = 64;
 constexpr int kKernel = 5;
 
-Technique techniqueNamed(const std::string& name)
-{
-    for (const Technique& technique : allTechniques())
-    {
-        if (technique.name == name)
-            return technique;
-    }
-    FAIL("no technique " << name);
-    return {};
-}
-
 /// A scene alone, whose settings are its own best, with as many receivers as they are chosen on.
 std::vector<LitScene> lightsOf(Scene scene)
 {

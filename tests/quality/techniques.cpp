@@ -1,5 +1,7 @@
 #include "techniques.hpp"
 
+#include <stdexcept>
+
 namespace lvsm::quality
 {
 
@@ -12,6 +14,16 @@ std::vector<Technique> allTechniques()
         all.insert(all.end(), part.begin(), part.end());
     }
     return all;
+}
+
+Technique techniqueNamed(const std::string& name)
+{
+    for (const Technique& technique : allTechniques())
+    {
+        if (technique.name == name)
+            return technique;
+    }
+    throw std::out_of_range("no technique " + name);
 }
 
 } // namespace lvsm::quality

@@ -92,7 +92,7 @@ struct Technique
     int channels;
     Format format; ///< what each channel is rounded to after the filter; Fp32 for what code() rounds itself
     bool floors;   ///< whether a variance floor means anything to it
-    std::function<std::unique_ptr<Estimator>(const Map&)> prepare;
+    Prepare prepare;
     std::string estimate = {}; ///< its row in tests/cost/estimates.def; none, and its cost is unknown
     Reading reading = Reading::Bilinear;
     bool bias = false;     ///< whether the bias against rounding may be chosen, as a floor is
@@ -102,10 +102,16 @@ struct Technique
     std::vector<Prepare> warps =
         {};                      ///< in place of prepare: that warp of depth is chosen which errs least in other lights
     std::optional<Own> own = {}; ///< filters by itself: prepared anew for each variant, of which it has half resolution
+
+    /// The estimate's row where its map is read so.
+    std::string estimateBy(Reading how) const { return estimate + (how == Reading::Nearest ? " moved" : ""); }
 };
 
 /// Everything that is measured, limits last.
 std::vector<Technique> allTechniques();
+
+/// The one of allTechniques with this name; throws std::out_of_range where there is none.
+Technique techniqueNamed(const std::string& name);
 
 // Its parts.
 std::vector<Technique> varianceTechniques(); // VSM, EVSM2, EVSM4
@@ -130,7 +136,7 @@ Technique csm(int order, float strength, bool offset);
 
 /// A technique whose estimator needs nothing from the scene but what its constructor is given here.
 template <typename E, typename... Arguments>
-std::function<std::unique_ptr<Estimator>(const Map&)> fixed(Arguments... arguments)
+Prepare fixed(Arguments... arguments)
 {
     return [arguments...](const Map&)
     {

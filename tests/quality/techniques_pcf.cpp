@@ -129,15 +129,14 @@ private:
     glm::vec2 m_reach;
 };
 
-Technique depths(const std::string& name, bool peer, const std::string& estimate,
-                 std::function<std::unique_ptr<Estimator>(const Map&)> prepare)
+Technique depths(const std::string& name, bool peer, const std::string& estimate, Prepare prepare)
 {
     Technique technique{name, peer, peer ? 32 : 0, 1, Format::Fp32, false, std::move(prepare), estimate};
     technique.reading = Reading::Window;
     return technique;
 }
 
-std::function<std::unique_ptr<Estimator>(const Map&)> whole(bool plane)
+Prepare whole(bool plane)
 {
     return [plane](const Map& map)
     {

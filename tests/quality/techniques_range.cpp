@@ -156,7 +156,7 @@ private:
     float m_block;
 };
 
-Technique ranges(const std::string& name, int fetches, std::function<std::unique_ptr<Estimator>(const Map&)> prepare)
+Technique ranges(const std::string& name, int fetches, Prepare prepare)
 {
     Technique technique{
         name, true, 64, 1, Format::Fp32, false, std::move(prepare), "ranges of " + std::to_string(fetches)};
